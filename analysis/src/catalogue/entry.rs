@@ -1,0 +1,305 @@
+//! What the catalogue knows about one instruction or keyword.
+
+/// A text in both languages of the help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bilingual {
+    /// English.
+    pub en: &'static str,
+    /// Czech, with diacritics.
+    pub cs: &'static str,
+}
+
+/// A type prefix, joined to its operand by a dot (manual 3.9).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Prefix {
+    /// `BYTE.`: 8 bits.
+    Byte,
+    /// `WORD.`: 16 bits.
+    Word,
+    /// `HIGH.`: the upper byte of a WORD, 8 bits.
+    High,
+    /// `CNST.`: a direct constant, 32 bits.
+    Cnst,
+    /// `DWRD.`: 32 bits.
+    Dwrd,
+    /// `QWRD.`: 64 bits.
+    Qwrd,
+    /// `REAL.`: 64-bit floating point.
+    Real,
+}
+
+/// A set of prefixes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PrefixSet(pub u8);
+
+impl PrefixSet {
+    /// No prefix.
+    pub const NONE: PrefixSet = PrefixSet(0);
+    /// BYTE, WORD, HIGH, DWRD, QWRD, REAL: what STO takes.
+    pub const STORE: PrefixSet = PrefixSet::of(&[
+        Prefix::Byte,
+        Prefix::Word,
+        Prefix::High,
+        Prefix::Dwrd,
+        Prefix::Qwrd,
+        Prefix::Real,
+    ]);
+    /// All seven: what LOD, AD, SU and the comparisons take.
+    pub const ALL: PrefixSet = PrefixSet(0x7F);
+
+    /// The set of these prefixes.
+    #[must_use]
+    pub const fn of(prefixes: &[Prefix]) -> PrefixSet {
+        let mut bits = 0;
+        let mut i = 0;
+        while i < prefixes.len() {
+            bits |= 1 << prefixes[i] as u8;
+            i += 1;
+        }
+        PrefixSet(bits)
+    }
+
+    /// Whether it holds `prefix`.
+    #[must_use]
+    pub const fn contains(self, prefix: Prefix) -> bool {
+        self.0 & (1 << prefix as u8) != 0
+    }
+}
+
+/// What an operand does with its cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// Reads it.
+    Read,
+    /// Writes it.
+    Write,
+    /// Both.
+    ReadWrite,
+}
+
+/// What an operand may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OperandKind {
+    /// A bit: `bit`, and with `extended` also `ADR.bit` and `$+n.bit`; with `negatable` a leading `-`.
+    Bit {
+        /// Access.
+        access: Access,
+        /// A leading `-` reads the negation.
+        negatable: bool,
+        /// `ADR.bit` addressing (manual 3.5).
+        extended: bool,
+    },
+    /// A data cell (or, when `prefixes` holds CNST, a constant) at its declared or prefixed type.
+    Data {
+        /// Access.
+        access: Access,
+        /// Prefixes it takes.
+        prefixes: PrefixSet,
+        /// Declared types it takes without a prefix: Byte, Word, Dwrd (and Cnst for EQUI names and numbers).
+        declared: PrefixSet,
+        /// A leading `-` negates.
+        negatable: bool,
+    },
+    /// A memory address, typed or not, with offset: MV, CLEAR.
+    Address(Access),
+    /// A counter of TM, TIM, TEX: a BYTE or WORD cell, or `-`/`NIL` for an automatic one.
+    AutoCounter,
+    /// The time of TIM and TEX: number, EQUI constant or BYTE/WORD cell.
+    Time,
+    /// A label in code.
+    Label,
+    /// A mechanism; `MECH_BEGIN` declares it.
+    Mechanism {
+        /// This operand is the declaration.
+        declares: bool,
+    },
+    /// A procedure; `PROC_BEGIN` declares it.
+    Procedure {
+        /// This operand is the declaration.
+        declares: bool,
+    },
+    /// A new name that the instruction declares (EQUI).
+    NewName,
+    /// A bit name declared at its position in a DFM; may be empty.
+    NewBit,
+    /// An integer constant within these bounds (number, EQUI name or constant expression).
+    Number {
+        /// Smallest.
+        min: i64,
+        /// Largest.
+        max: i64,
+    },
+    /// An integer or real constant of any size.
+    Constant,
+    /// One of these keywords.
+    Keyword(&'static [&'static str]),
+    /// A keyword, or a number within the bounds (CONDR).
+    KeywordOrNumber(&'static [&'static str], i64, i64),
+    /// A number, name or expression by value for a message: WORD/DWORD cell or constant, `-` when skipped.
+    Value(PrefixSet),
+    /// A text buffer declared by STR, with optional offset.
+    Text(Access),
+    /// A text buffer with optional offset, or a literal in apostrophes.
+    TextOrLiteral,
+    /// A literal in apostrophes, or an address (STR's second operand).
+    LiteralOrAddress,
+    /// Anything: checked only for well-formedness (instructions whose operand rules are not yet modelled).
+    Any,
+}
+
+/// One operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OperandSpec {
+    /// Name as the help shows it.
+    pub name: &'static str,
+    /// What it may be.
+    pub kind: OperandKind,
+    /// It may be left out (with everything after it).
+    pub optional: bool,
+    /// It may be repeated, comma separated (always the last one).
+    pub repeatable: bool,
+    /// `-` or an empty place stands for "not given".
+    pub skippable: bool,
+    /// What it means.
+    pub help: Bilingual,
+}
+
+/// One way to write an instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// As the help shows it, for instance `WR [ADR.]bit [, …]`.
+    pub syntax: &'static str,
+}
+
+/// Part an instruction plays in a logic equation (manual 3.2, 3.6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equation {
+    /// None: leaves RLO and the stack alone.
+    None,
+    /// LDR: opens an equation, or pushes when one is open.
+    Open,
+    /// LA, LO, LX: combines with the operand, or pops.
+    Combine,
+    /// CA: changes RLO in place.
+    Modify,
+    /// Overwrites RLO without a push (EQ, EDGE_H, TM, CU, CONDR …).
+    Overwrite,
+    /// Closes the equation.
+    Terminal,
+}
+
+/// What an instruction reads or writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// RLO.
+    Rlo,
+    /// DR at the operand's width.
+    Dr,
+    /// All 64 bits of DR.
+    Dr64,
+    /// DR_REAL.
+    DrReal,
+    /// The equation stack.
+    Stack,
+    /// Memory.
+    Memory,
+}
+
+/// Where an instruction may stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In code: any module, mechanism or procedure.
+    Code,
+    /// Anywhere: code, data, between modules (EQUI, DEBUG, T_INCLUDE, comments).
+    Anywhere,
+    /// In DATA or DATA_LOCAL.
+    Data,
+    /// Between modules.
+    FileLevel,
+    /// Between modules or inside any module (DATA_LOCAL).
+    FileLevelOrModule,
+    /// In a mechanism, MODULE_BLOCK_INIT or MODULE_BLOCK_DONE.
+    Sequence,
+    /// In MODULE_MAIN (PROC_BEGIN).
+    Main,
+    /// In MODULE_MAIN, MODULE_FAST or (with a warning) MODULE_CONT (MECH_BEGIN).
+    MechanismHost,
+    /// In MODULE_INIT (EDEF …).
+    Init,
+    /// In any module (STR).
+    AnyModule,
+}
+
+/// Unit in which an instruction counts time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimeUnit {
+    /// Interface cycles: 20 ms, in MODULE_FAST 1 ms.
+    Cycle,
+    /// Passes of the surrounding DFTM block.
+    Raster,
+}
+
+/// What an entry is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EntryKind {
+    /// An instruction that becomes code.
+    Instruction,
+    /// A declaration (DFM, DS, EQUI, STR).
+    Declaration,
+    /// Opens or closes a block (module, mechanism, procedure, data).
+    Structure,
+    /// A directive to the compiler (DEBUG, CHECK, T_INCLUDE, macros).
+    Directive,
+    /// A type prefix.
+    TypePrefix,
+    /// A keyword that stands as an operand (NIL, BX, GLOBAL, ON …).
+    Keyword,
+    /// A reserved procedure name.
+    EventProcedure,
+}
+
+/// An example of the help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Example {
+    /// Source lines.
+    pub code: &'static str,
+    /// What it does.
+    pub note: Bilingual,
+}
+
+/// One instruction or keyword.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Upper-case mnemonic or keyword; prefixes without the dot.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: EntryKind,
+    /// Manual chapter, for instance `3.6`.
+    pub chapter: &'static str,
+    /// Ways to write it.
+    pub forms: &'static [Form],
+    /// Operands in order.
+    pub operands: &'static [OperandSpec],
+    /// Part in an equation.
+    pub equation: Equation,
+    /// EX-type: may hold a sequence, moves its continuation (manual 4.3).
+    pub ex_type: bool,
+    /// Where it may stand.
+    pub place: Place,
+    /// What it reads.
+    pub reads: &'static [Effect],
+    /// What it writes.
+    pub writes: &'static [Effect],
+    /// Unit of its time operand.
+    pub time_unit: Option<TimeUnit>,
+    /// `build` can lower it; the others are known to the editor but refused by `build` with a clear error.
+    pub executable: bool,
+    /// One sentence.
+    pub summary: Bilingual,
+    /// The help page's body (Markdown paragraphs); empty for entries whose page is not written yet.
+    pub description: Bilingual,
+    /// Examples.
+    pub examples: &'static [Example],
+    /// Related entries.
+    pub related: &'static [&'static str],
+}

@@ -1,0 +1,4 @@
+//! Declarations, scopes, memory layout, operands and types, equations, structure.
+
+pub mod declarations;
+pub mod hir;
