@@ -1,1 +1,1 @@
-//! Placeholder while the workspace is laid out.
+//! Tests that cross rooms; all of them are in `tests/` and `debug-adapter/`.

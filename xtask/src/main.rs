@@ -1,3 +1,39 @@
-//! Placeholder.
+//! Tasks of the project: `cargo xtask generate | test | bench | package`.
 
-fn main() {}
+mod generate;
+mod run;
+mod test;
+
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+cargo xtask TASK
+
+  generate [--check]  write the files derived from the catalogue (with --check: fail when one is stale)
+  test                formatting, lints, all tests, stale generated files, the editors' tests
+  bench               all benchmarks; docs/design/performance.md says how to read them
+  package             the VS Code extension as a .vsix
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let result = match words.as_slice() {
+        ["generate"] => generate::generate(false),
+        ["generate", "--check"] => generate::generate(true),
+        ["test"] => test::test(),
+        ["bench"] => run::cargo("benchmarks", &["bench", "--workspace"]),
+        ["package"] => test::package(),
+        _ => {
+            eprint!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("xtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}

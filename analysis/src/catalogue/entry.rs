@@ -36,14 +36,8 @@ impl PrefixSet {
     /// No prefix.
     pub const NONE: PrefixSet = PrefixSet(0);
     /// BYTE, WORD, HIGH, DWRD, QWRD, REAL: what STO takes.
-    pub const STORE: PrefixSet = PrefixSet::of(&[
-        Prefix::Byte,
-        Prefix::Word,
-        Prefix::High,
-        Prefix::Dwrd,
-        Prefix::Qwrd,
-        Prefix::Real,
-    ]);
+    pub const STORE: PrefixSet =
+        PrefixSet::of(&[Prefix::Byte, Prefix::Word, Prefix::High, Prefix::Dwrd, Prefix::Qwrd, Prefix::Real]);
     /// All seven: what LOD, AD, SU and the comparisons take.
     pub const ALL: PrefixSet = PrefixSet(0x7F);
 

@@ -1,7 +1,8 @@
 //! What the lines of a section declare. Positions are own lines of the section, so that declarations stay equal
 //! while other sections change.
 
-use crate::syntax::ast::{Columns, Name};
+use crate::diagnostics::Finding;
+use crate::syntax::ast::{Columns, Expr, Name};
 
 /// Declarations of one section.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,6 +11,37 @@ pub struct Declarations {
     pub storage: Vec<Storage>,
     /// Names in order of declaration.
     pub names: Vec<Declared>,
+    /// EQUI values that need other constants: index into `names`, and the expression.
+    pub expressions: Vec<(u32, Expr)>,
+    /// Lengths that need constants of other sections: index into `storage`, index into `names`, the expression,
+    /// and whether one byte more is reserved (STR).
+    pub lengths: Vec<(u32, Option<u32>, Expr, bool)>,
+    /// Files named by T_INCLUDE.
+    pub includes: Vec<IncludeLine>,
+    /// Mistakes in the declarations.
+    pub findings: Vec<Finding>,
+}
+
+/// A T_INCLUDE line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IncludeLine {
+    /// 0-based own line.
+    pub line: u32,
+    /// Columns of the file name, with its apostrophes.
+    pub columns: Columns,
+    /// The file as spelled, without apostrophes.
+    pub name: String,
+    /// It stands in apostrophes: searched in the system folder.
+    pub quoted: bool,
+}
+
+/// What a text buffer lies over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Overlay {
+    /// Key of the symbol.
+    pub symbol: String,
+    /// Byte offset into it.
+    pub offset: i64,
 }
 
 /// A piece of memory.
@@ -56,11 +88,17 @@ pub enum What {
     Text {
         /// Index into [`Declarations::storage`]; `None` when it lies over another symbol.
         storage: Option<u32>,
+        /// The symbol it lies over.
+        over: Option<Overlay>,
         /// Maximum number of characters.
         len: u32,
     },
-    /// EQUI: the value, when it could be computed.
+    /// EQUI: the value, when the line alone gives it; else see [`Declarations::expressions`].
     Constant(Option<i64>),
+    /// A user instruction (DEF_T_MACRO, APPEND_T_MACRO).
+    Macro,
+    /// Declared by a line with a mistake: known, but nothing more can be said about it.
+    Unknown,
     /// MECH_BEGIN: activation bit, and `name_LINE`.
     Mechanism,
     /// PROC_BEGIN.
@@ -69,7 +107,23 @@ pub enum What {
     Label,
 }
 
-/// Columns of the declared name.
+/// What others see of a section's declarations: no positions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exports {
+    /// Length of each piece of memory; `None` when it needs constants of other sections.
+    pub storage: Vec<Option<u32>>,
+    /// Keys and what they stand for, in order of declaration; without labels.
+    pub names: Vec<(Arc<str>, What)>,
+    /// Index into [`Declarations::names`] of each.
+    pub indices: Vec<u32>,
+    /// EQUI values that need other constants: index into `names`.
+    pub expressions: Vec<(u32, ConstExpr)>,
+    /// Lengths that need other constants: index into `storage`, index into `names`, whether a byte more is reserved.
+    pub lengths: Vec<(u32, Option<u32>, ConstExpr, bool)>,
+    /// Spelled names of included files.
+    pub includes: Vec<(String, bool)>,
+}
+
 impl Declared {
     /// Where the name stands in its line.
     #[must_use]

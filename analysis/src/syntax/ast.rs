@@ -23,6 +23,14 @@ impl Name {
     pub fn key(&self) -> String {
         key(&self.text)
     }
+
+    /// Spelled like a hexadecimal number that lacks its leading digit: `F8h`. Such a word is a good name, so only
+    /// one that is declared nowhere deserves the hint.
+    #[must_use]
+    pub fn looks_hexadecimal(&self) -> bool {
+        let Some(digits) = self.text.strip_suffix(['h', 'H']) else { return false };
+        !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_hexdigit())
+    }
 }
 
 /// What identifies a name: upper case, the first 31 characters (manual 3.3).
@@ -33,6 +41,9 @@ pub fn key(text: &str) -> String {
 
 /// Number of significant characters of a name.
 pub const SIGNIFICANT: usize = 31;
+
+/// Most operators and brackets in one operand; the bound keeps everything that walks an [`Expr`] shallow.
+pub const MAX_OPERATORS: u32 = 64;
 
 /// One source line.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -136,20 +147,22 @@ pub struct SyntaxError {
 pub enum SyntaxErrorKind {
     /// A character that has no meaning here.
     UnexpectedCharacter(char),
-    /// A typographic quote instead of an apostrophe.
+    /// Another quote than the apostrophe; the columns are those of the whole text, quotes included.
     TypographicQuote(char),
     /// A text without its closing apostrophe.
     UnclosedText,
-    /// A number that is malformed or too large.
+    /// A number that is malformed or does not fit into 64 bits with a sign.
     BadNumber,
-    /// A hexadecimal number that starts with a letter.
-    HexNeedsDigit,
     /// `(` or `[` without its partner, or the other way round.
     Unbalanced(char),
-    /// An operand was expected.
+    /// An operand was expected after the operator or bracket the columns show.
     ExpectedOperand,
     /// Operands must be separated by commas.
     ExpectedComma,
     /// A label, a mnemonic or a comment was expected at the start of the line.
     ExpectedOperation,
+    /// A declared name without its colon (`ALFA DS 1`); it is read as if the colon stood there.
+    ExpectedColon,
+    /// An operand with more than [`MAX_OPERATORS`] operators and brackets.
+    TooComplex,
 }

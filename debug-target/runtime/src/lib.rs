@@ -1,1 +1,47 @@
-//! Placeholder while the workspace is laid out.
+//! Virtual machine and cycle supervisor of TECHNOL programs.
+//!
+//! `no_std` + `alloc`, deterministic: no clock, no input or output, no randomness. One [`Runtime::tick`] is
+//! one millisecond of the PLC; everything from outside (inputs, [commands](Command), values written by a
+//! debugger) enters between two ticks or while the debugger holds the program.
+//!
+//! A [`Program`](technol_image::Program) is validated completely when it is loaded, so that a damaged or
+//! hostile one is a [`LoadError`] and never a panic later; what only shows at run time (division by zero, an
+//! index outside memory, an endless loop) is a [`Fault`] that stops the PLC and leaves everything readable.
+#![no_std]
+
+extern crate alloc;
+
+mod arithmetic;
+mod block;
+mod calls;
+mod code;
+mod context;
+mod debugger;
+mod decimal;
+mod equation;
+mod event;
+mod execute;
+mod fault;
+mod load_error;
+mod m_functions;
+mod memory;
+mod operands;
+mod plan;
+mod ports;
+mod registers;
+mod runtime;
+mod sequence;
+mod supervisor;
+mod timing;
+mod validate;
+
+pub use block::{Block, BlockMode, Rejection};
+pub use debugger::{BreakpointError, Frame, Resume, Stop, StopReason};
+pub use event::{Command, PlcState, RateKind, RuntimeEvent};
+pub use fault::{Fault, FaultKind};
+pub use load_error::{LoadError, LoadItem};
+pub use memory::AccessError;
+pub use ports::{InputImage, OutputImage};
+pub use registers::Registers;
+pub use runtime::{Limits, Runtime, TickOutcome};
+pub use sequence::SequenceState;

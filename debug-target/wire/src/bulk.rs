@@ -19,6 +19,7 @@ struct InFlight {
     at: u64,
     resend: bool,
     repeated: bool,
+    timeouts: u32,
 }
 
 /// A download in progress.
@@ -34,7 +35,6 @@ pub(crate) struct Download {
     sent: u64,
     acknowledged: usize,
     smoothed_us: Option<u64>,
-    idle_timeouts: u32,
 }
 
 impl Download {
@@ -49,7 +49,6 @@ impl Download {
             sent: 0,
             acknowledged: 0,
             smoothed_us: None,
-            idle_timeouts: 0,
         }
     }
 
@@ -82,7 +81,15 @@ impl Download {
             let start = self.next;
             let end = (start + self.piece).min(self.bytes.len());
             self.next = end;
-            self.in_flight.push(InFlight { start, end, order, at: now, resend: false, repeated: false });
+            self.in_flight.push(InFlight {
+                start,
+                end,
+                order,
+                at: now,
+                resend: false,
+                repeated: false,
+                timeouts: 0,
+            });
             (start, end)
         };
         self.sent += 1;
@@ -113,7 +120,6 @@ impl Download {
             return;
         }
         self.acknowledged += arrived;
-        self.idle_timeouts = 0;
         self.in_flight.retain(|p| !has(p));
         if let Some(sample) = sample {
             self.smoothed_us = Some(self.smoothed_us.map_or(sample, |old| (old * 7 + sample) / 8));
@@ -132,14 +138,14 @@ impl Download {
         for piece in self.in_flight.iter_mut().filter(|p| !p.resend) {
             if now >= piece.at + timeout {
                 piece.resend = true;
+                piece.timeouts += 1;
                 timed_out = true;
             }
         }
+        if self.in_flight.iter().any(|p| p.timeouts > retries) {
+            return Err(NoProgress);
+        }
         if timed_out {
-            self.idle_timeouts += 1;
-            if self.idle_timeouts > retries {
-                return Err(NoProgress);
-            }
             return Ok(Some(now));
         }
         Ok(self.in_flight.iter().filter(|p| !p.resend).map(|p| p.at + timeout).min())

@@ -14,8 +14,10 @@ pub(crate) struct EventQueue {
     frames: VecDeque<Vec<u8>>,
     /// Number of the first frame in the queue.
     first: u8,
-    /// Frames at the front that were sent.
+    /// Frames at the front that need no sending at present.
     sent: usize,
+    /// Frames at the front that were sent at least once, and so may be acknowledged.
+    known: usize,
     /// When the oldest of them was last sent, or progress was last seen.
     since: u64,
 }
@@ -40,16 +42,18 @@ impl EventQueue {
         }
         let seq = self.first.wrapping_add(self.sent as u8);
         self.sent += 1;
+        self.known = self.known.max(self.sent);
         Some((seq, frame))
     }
 
     /// All frames up to number `seq` have arrived.
     pub(crate) fn acknowledged(&mut self, seq: u8, now: u64) {
         let count = usize::from(seq.wrapping_sub(self.first)) + 1;
-        if count <= self.sent {
+        if count <= self.known {
             self.frames.drain(..count);
             self.first = seq.wrapping_add(1);
-            self.sent -= count;
+            self.known -= count;
+            self.sent = self.sent.saturating_sub(count);
             self.since = now;
         }
     }
@@ -92,7 +96,10 @@ mod tests {
         assert_eq!(queue.poll(100, 100), Some(110));
         assert_eq!(queue.poll(110, 100), Some(110));
         assert_eq!(drain(&mut queue, 110), [0, 1, 2, 3]);
-        queue.acknowledged(3, 120);
+        assert_eq!(queue.poll(210, 100), Some(210));
+        queue.acknowledged(2, 215);
+        assert_eq!(drain(&mut queue, 215), [3], "an acknowledgement that comes late still counts");
+        queue.acknowledged(3, 220);
         assert_eq!(queue.poll(1000, 100), None);
     }
 }

@@ -35,6 +35,8 @@ pub mod kind {
 pub const DELIMITER: u8 = 0;
 /// Bytes of a decoded frame besides its payload: kind, seq, CRC.
 pub const OVERHEAD: usize = 6;
+/// Longest payload a target may announce and a host has to take.
+pub const MAX_PAYLOAD: u16 = 4096;
 
 const CRC32C: Crc<u32> = Crc::<u32>::new(&CRC_32_ISCSI);
 
@@ -230,7 +232,7 @@ mod tests {
                 let payload = vec![fill; len];
                 let bytes = encoded(kind::CHUNK, 0, &payload);
                 assert!(bytes.len() <= encoded_len(len), "{} > {} at {len}", bytes.len(), encoded_len(len));
-                assert_eq!(bytes.iter().filter(|b| **b == 0).count(), 1);
+                assert_eq!(bytes.iter().position(|b| *b == 0), Some(bytes.len() - 1), "one zero, at the end");
                 let frame = decode(&bytes[..bytes.len() - 1]);
                 assert_eq!(frame, Ok(Frame { kind: kind::CHUNK, seq: 0, payload }));
             }

@@ -11,6 +11,9 @@ use serde::{Deserialize, Serialize};
 /// Version of the protocol; peers with another major number do not talk.
 pub const PROTOCOL_VERSION: u16 = 1;
 
+/// Number of [`Request`] variants of this version; higher variant numbers are of a later version.
+pub const KNOWN_REQUESTS: u32 = 21;
+
 /// First 16 bytes of the SHA-256 of the encoded program.
 pub type ContentHash = [u8; 16];
 

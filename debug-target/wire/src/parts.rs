@@ -80,10 +80,6 @@ impl InOrder {
         self.message.extend_from_slice(piece);
         (head & LAST != 0).then(|| core::mem::take(&mut self.message))
     }
-
-    pub(crate) fn clear(&mut self) {
-        self.message.clear();
-    }
 }
 
 #[cfg(test)]

@@ -7,8 +7,8 @@ pub struct Timing {
     pub ping_us: u64,
     /// The peer is gone after this much silence, in microseconds; `None`: the link itself tells.
     pub silence_us: Option<u64>,
-    /// A request or event without answer is repeated after this long, in microseconds; doubled at each repetition
-    /// of a request up to four times this.
+    /// A request or event without answer is repeated after this long, in microseconds; doubled after the first
+    /// repetition of a request. (A Hello is repeated at `ping_us`.)
     pub resend_us: u64,
     /// How often a request or a download is repeated without any progress before the link counts as lost.
     pub retries: u32,
@@ -18,6 +18,12 @@ pub struct Timing {
 
 impl Default for Timing {
     fn default() -> Self {
-        Timing { ping_us: 100_000, silence_us: Some(950_000), resend_us: 150_000, retries: 12, idle_us: 5_000 }
+        Timing {
+            ping_us: 100_000,
+            silence_us: Some(950_000),
+            resend_us: 150_000,
+            retries: 12,
+            idle_us: 5_000,
+        }
     }
 }

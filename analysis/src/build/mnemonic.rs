@@ -1,0 +1,160 @@
+//! Which operation an instruction becomes.
+
+use technol_image::op::{Arith, Compare, Cond, Count, Logic, Raster, Unary};
+
+/// How an instruction is translated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Form {
+    /// Declarations, directives, opening and closing lines.
+    NoCode,
+    Nop,
+    Ldr,
+    Logic(Logic),
+    Complement,
+    Edge { rising: bool },
+    Write,
+    Flag(Cond),
+    MoveBit(Cond),
+    Jump(Cond),
+    Load,
+    Store(Cond),
+    Move(Cond),
+    Arith(Arith),
+    Compare { op: Compare, if_rlo: bool },
+    Unary(Unary),
+    IncrementBcd,
+    BcdToBin,
+    BinToBcd,
+    Shift { left: bool },
+    DrToRlo,
+    RloToDr,
+    IntToReal,
+    Raster(Raster),
+    Timer,
+    Count(Count),
+    Copy,
+    Clear,
+    Call,
+    SeqInit,
+    Ex,
+    ExIf { wait_when: bool },
+    Bex,
+    Timed(Option<bool>),
+    Message(Cond),
+    /// `MOV BX,CX`.
+    Mov,
+    InitFinished,
+    DoneFinished,
+}
+
+const fn compare(op: Compare) -> Form {
+    Form::Compare { op, if_rlo: false }
+}
+
+/// Sorted by mnemonic.
+const FORMS: &[(&str, Form)] = &[
+    ("ABS", Form::Unary(Unary::Absolute)),
+    ("AD", Form::Arith(Arith::Add)),
+    ("ANDB", Form::Arith(Arith::And)),
+    ("BCD", Form::BinToBcd),
+    ("BEX", Form::Bex),
+    ("BIN", Form::BcdToBin),
+    ("CA", Form::Complement),
+    ("CD", Form::Count(Count::Down)),
+    ("CHECK", Form::NoCode),
+    ("CLEAR", Form::Clear),
+    ("CLI", Form::Nop),
+    ("CONDR", Form::DrToRlo),
+    ("CONRD", Form::RloToDr),
+    ("CU", Form::Count(Count::Up)),
+    ("CUBCD", Form::Count(Count::UpBcd)),
+    ("DCR", Form::Unary(Unary::Decrement)),
+    ("DEBUG", Form::NoCode),
+    ("DFTM01", Form::Raster(Raster::Tenth)),
+    ("DFTM1", Form::Raster(Raster::Second)),
+    ("DFTM10", Form::Raster(Raster::TenSeconds)),
+    ("DFTM100", Form::Raster(Raster::HundredSeconds)),
+    ("DIVB", Form::Arith(Arith::Div)),
+    ("EDGE_H", Form::Edge { rising: true }),
+    ("EDGE_L", Form::Edge { rising: false }),
+    ("EQ", compare(Compare::Eq)),
+    ("EQ1", Form::Compare { op: Compare::Eq, if_rlo: true }),
+    ("EQUI", Form::NoCode),
+    ("ESET", Form::Message(Cond::Always)),
+    ("ESET1", Form::Message(Cond::IfRlo)),
+    ("EX", Form::Ex),
+    ("EX0", Form::ExIf { wait_when: false }),
+    ("EX1", Form::ExIf { wait_when: true }),
+    ("FL", Form::Flag(Cond::Always)),
+    ("FL1", Form::Flag(Cond::IfRlo)),
+    ("GE", compare(Compare::Ge)),
+    ("GT", compare(Compare::Gt)),
+    ("INR", Form::Unary(Unary::Increment)),
+    ("INRBCD", Form::IncrementBcd),
+    ("INV", Form::Unary(Unary::Negate)),
+    ("JL0", Form::Jump(Cond::IfNotRlo)),
+    ("JL1", Form::Jump(Cond::IfRlo)),
+    ("JUM", Form::Jump(Cond::Always)),
+    ("LA", Form::Logic(Logic::And)),
+    ("LDR", Form::Ldr),
+    ("LE", compare(Compare::Le)),
+    ("LO", Form::Logic(Logic::Or)),
+    ("LOD", Form::Load),
+    ("LT", compare(Compare::Lt)),
+    ("LX", Form::Logic(Logic::Xor)),
+    ("MECH_INIT", Form::SeqInit),
+    ("MODULE_DONE_FINISHED", Form::DoneFinished),
+    ("MODULE_INIT_FINISHED", Form::InitFinished),
+    ("MOV", Form::Mov),
+    ("MOVE", Form::Move(Cond::Always)),
+    ("MOVE1", Form::Move(Cond::IfRlo)),
+    ("MOVR", Form::MoveBit(Cond::Always)),
+    ("MOVR1", Form::MoveBit(Cond::IfRlo)),
+    ("MULB", Form::Arith(Arith::Mul)),
+    ("MV", Form::Copy),
+    ("NOP", Form::Nop),
+    ("ORB", Form::Arith(Arith::Or)),
+    ("PROC_CALL", Form::Call),
+    ("REAL", Form::IntToReal),
+    ("RL", Form::Shift { left: true }),
+    ("RR", Form::Shift { left: false }),
+    ("STI", Form::Nop),
+    ("STO", Form::Store(Cond::Always)),
+    ("STO0", Form::Store(Cond::IfNotRlo)),
+    ("STO1", Form::Store(Cond::IfRlo)),
+    ("STOP", Form::NoCode),
+    ("STR", Form::NoCode),
+    ("SU", Form::Arith(Arith::Sub)),
+    ("TEX0", Form::Timed(Some(false))),
+    ("TEX1", Form::Timed(Some(true))),
+    ("TIM", Form::Timed(None)),
+    ("TM", Form::Timer),
+    ("T_INCLUDE", Form::NoCode),
+    ("WR", Form::Write),
+    ("XORB", Form::Arith(Arith::Xor)),
+];
+
+/// How `mnemonic` (upper case) is translated; `None` when the target has no code for it.
+pub(super) fn form(mnemonic: &str) -> Option<Form> {
+    let found = FORMS.binary_search_by(|(name, _)| (*name).cmp(mnemonic)).ok()?;
+    FORMS.get(found).map(|(_, form)| *form)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_sorted_and_names_each_instruction_once() {
+        assert!(FORMS.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+
+    #[test]
+    fn every_name_of_the_table_is_found() {
+        for (name, expected) in FORMS {
+            assert_eq!(form(name), Some(*expected), "{name}");
+        }
+        assert_eq!(form("STRCPY"), None);
+        assert_eq!(form(""), None);
+    }
+}

@@ -1,0 +1,109 @@
+//! Predefined symbols: ports, their masks, the block interface, constants.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use technol_image::op::Addr;
+
+use super::entry::{Bilingual, Prefix};
+use super::look_up;
+
+mod interface;
+mod ports;
+
+/// Who writes a symbol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// The control writes it, the program reads it.
+    CncToPlc,
+    /// The program writes it, the control reads it.
+    PlcToCnc,
+    /// Both write it.
+    Both,
+}
+
+/// What a symbol is and where it lies in the system region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SystemKind {
+    /// A bit.
+    Bit {
+        /// Its byte.
+        addr: Addr,
+        /// Its number, 0 to 7.
+        bit: u8,
+    },
+    /// A bit position without a cell of its own, for `ADR.bit`.
+    FormalBit {
+        /// The position, 0 to 7.
+        bit: u8,
+    },
+    /// A cell of the type a prefix names.
+    Cell {
+        /// Its first byte.
+        addr: Addr,
+        /// Its type: Byte, Word, Dwrd, Qwrd or Real.
+        prefix: Prefix,
+    },
+    /// Cells of one type in a row; `name[n]` is the n-th.
+    Array {
+        /// First byte of element 0.
+        addr: Addr,
+        /// Type of an element.
+        element: Prefix,
+        /// Number of elements.
+        len: u32,
+    },
+    /// Bytes without a type.
+    Area {
+        /// Its first byte.
+        addr: Addr,
+        /// Its length in bytes.
+        len: u32,
+    },
+    /// An integer.
+    Constant(i64),
+}
+
+/// A predefined symbol.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SystemSymbol {
+    /// Its name in upper case.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: SystemKind,
+    /// Who writes it.
+    pub direction: Direction,
+    /// What it means.
+    pub summary: Bilingual,
+    /// Manual chapter.
+    pub chapter: &'static str,
+}
+
+struct Table {
+    symbols: Vec<SystemSymbol>,
+    by_name: HashMap<&'static str, usize>,
+}
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    ports::list(&mut symbols);
+    interface::list(&mut symbols);
+    let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
+    Table { symbols, by_name }
+});
+
+/// The predefined symbol `name`, in any case.
+#[must_use]
+pub fn symbol(name: &str) -> Option<&'static SystemSymbol> {
+    look_up(&TABLE.by_name, name).map(|&index| &TABLE.symbols[index])
+}
+
+/// Every predefined symbol, in the order of the manual.
+pub fn symbols() -> impl Iterator<Item = &'static SystemSymbol> {
+    TABLE.symbols.iter()
+}
+
+/// A text that a family of symbols generates; the table is built once and lives as long as the process.
+fn generated(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}

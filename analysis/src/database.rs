@@ -1,0 +1,218 @@
+//! The salsa database: inputs, sections, and the queries everything else is built from.
+//!
+//! A section is identified by its file, kind, name and ordinal; nothing else about it is part of the identity.
+//! What is computed for a section depends on its own lines and on the names it uses, never on where it stands.
+//! Absolute lines come in only at the outer edge ([`file_diagnostics`] and the `ide` features).
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::diagnostics::Diagnostic;
+use crate::project::{IncludeTarget, Settings};
+use crate::semantics::analysis::SectionAnalysis;
+use crate::semantics::declarations::Declarations;
+use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::scope::{Scope, Symbol, SymbolKind};
+use crate::semantics::{self, declarations};
+use crate::syntax::section::SectionKind;
+use crate::syntax::{self, ParsedLines};
+
+/// What every query takes.
+#[salsa::db]
+pub trait Db: salsa::Database {}
+
+/// The database. A clone shares the storage and is a snapshot: while one lives, a writer waits for it.
+#[salsa::db]
+#[derive(Clone, Default)]
+pub struct Database {
+    storage: salsa::Storage<Self>,
+}
+
+#[salsa::db]
+impl salsa::Database for Database {}
+
+#[salsa::db]
+impl Db for Database {}
+
+impl Database {
+    /// A database that reports salsa's events.
+    #[must_use]
+    pub fn with_events(observer: Box<dyn Fn(salsa::Event) + Send + Sync>) -> Database {
+        Database { storage: salsa::Storage::new(Some(observer)) }
+    }
+}
+
+/// A program text.
+#[salsa::input(debug)]
+pub struct SourceFile {
+    /// Project path.
+    pub path: String,
+    /// Content.
+    pub text: Arc<str>,
+    /// 0-based place in the order of execution; `None` for an included file.
+    #[returns(copy)]
+    pub order: Option<u8>,
+}
+
+/// The project.
+#[salsa::input(debug)]
+pub struct Project {
+    /// Program files in order of execution.
+    pub files: Vec<SourceFile>,
+    /// Included files, in order of their first inclusion.
+    pub included: Vec<SourceFile>,
+    /// What the manifest sets.
+    pub settings: Arc<Settings>,
+    /// Where each T_INCLUDE leads: (path of the including file, spelled name).
+    pub includes: Arc<BTreeMap<(String, String), IncludeTarget>>,
+}
+
+/// A part of a file, see [`SectionKind`].
+#[salsa::tracked(debug)]
+pub struct Section<'db> {
+    /// The file it stands in.
+    #[returns(copy)]
+    pub file: SourceFile,
+    /// What it is.
+    #[returns(copy)]
+    pub kind: SectionKind,
+    /// Key of its name; empty for nameless ones.
+    pub name: Arc<str>,
+    /// 0-based number among the sections of this kind and name in the file.
+    #[returns(copy)]
+    pub ordinal: u32,
+    /// Its own lines.
+    #[tracked]
+    pub text: Arc<str>,
+    /// Its closing line is there.
+    #[tracked]
+    #[returns(copy)]
+    pub closed: bool,
+    /// Sections around it, outermost first, without the File section.
+    #[tracked]
+    pub outer: Vec<SectionKind>,
+    /// Nested sections, each with the number of own lines before it.
+    #[tracked]
+    pub children: Vec<(Section<'db>, u32)>,
+    /// 0-based file line of each own line. Only the outer edge may read this.
+    #[tracked]
+    pub lines: Vec<u32>,
+}
+
+/// Where a name is declared: the section, and the index in its [`Declarations::names`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, salsa::SalsaValue)]
+pub struct Site<'db> {
+    /// The section.
+    pub section: Section<'db>,
+    /// Index in its declared names.
+    pub index: u32,
+}
+
+/// A name as a section sees it.
+#[salsa::interned(debug)]
+pub struct NameRef<'db> {
+    /// Key of the name.
+    pub key: Arc<str>,
+    /// File whose local names are visible; `None` in an included file.
+    #[returns(copy)]
+    pub file: Option<u8>,
+}
+
+/// The sections of a file, in text order; the first is the [`SectionKind::File`] section.
+#[salsa::tracked]
+pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
+    let raw = syntax::split(file.text(db));
+    let mut made: Vec<Option<Section<'db>>> = vec![None; raw.len()];
+    // Inner sections follow the outer ones, so children exist before their parent is made.
+    for index in (0..raw.len()).rev() {
+        let part = &raw[index];
+        let mut outer = Vec::new();
+        let mut up = part.parent;
+        while let Some(parent) = up {
+            if raw[parent].kind != SectionKind::File {
+                outer.insert(0, raw[parent].kind);
+            }
+            up = raw[parent].parent;
+        }
+        let children =
+            part.children.iter().filter_map(|(child, before)| Some((made[*child]?, *before))).collect::<Vec<_>>();
+        made[index] = Some(Section::new(
+            db,
+            file,
+            part.kind,
+            Arc::from(part.name.as_str()),
+            part.ordinal,
+            Arc::from(part.text.as_str()),
+            part.closed,
+            outer,
+            children,
+            part.lines.clone(),
+        ));
+    }
+    made.into_iter().flatten().collect()
+}
+
+/// The lines of a section.
+#[salsa::tracked]
+pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines {
+    syntax::parse_lines(section.text(db))
+}
+
+/// What a section declares, with own-line positions.
+#[salsa::tracked]
+pub fn section_declarations<'db>(db: &'db dyn Db, section: Section<'db>) -> Declarations {
+    declarations::collect(section_lines(db, section), section.kind(db), section.outer(db))
+}
+
+/// What a section declares for others, without positions.
+#[salsa::tracked]
+pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> declarations::Exports {
+    declarations::exports(section_declarations(db, section), section.kind(db))
+}
+
+/// Names and memory of the project.
+#[salsa::tracked]
+pub fn scope(db: &dyn Db, project: Project) -> Scope {
+    semantics::program::scope(db, project)
+}
+
+/// Where the names of the project are declared.
+#[salsa::tracked]
+pub fn sites<'db>(db: &'db dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'db>>> {
+    semantics::program::sites(db, project)
+}
+
+/// What a name means where it is used: local to the file, else global, else predefined.
+#[salsa::tracked]
+pub fn lookup<'db>(db: &'db dyn Db, project: Project, name: NameRef<'db>) -> Option<Symbol> {
+    let scope = scope(db, project);
+    let key = name.key(db);
+    let local = name.file(db).and_then(|file| scope.locals.get(usize::from(file))?.get(key));
+    local.or_else(|| scope.globals.get(key)).cloned().or_else(|| system_symbol(key))
+}
+
+/// The code of a section: mistakes, resolved statements, uses of names.
+#[salsa::tracked]
+pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionAnalysis {
+    semantics::code::analyse(db, project, section)
+}
+
+/// All mistakes of a file, with absolute positions, sorted.
+#[salsa::tracked]
+pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
+    crate::diagnostics::file::collect(db, project, file)
+}
+
+/// A predefined symbol.
+#[must_use]
+pub fn system_symbol(key: &str) -> Option<Symbol> {
+    let system = crate::catalogue::symbol(key)?;
+    let kind = semantics::program::system_kind(&system.kind);
+    Some(Symbol { key: SymbolKey { scope: SymbolScope::System, name: Arc::from(system.name) }, kind })
+}
+
+/// A symbol that stands for nothing known.
+#[must_use]
+pub fn unknown_symbol(key: &str) -> Symbol {
+    Symbol { key: SymbolKey { scope: SymbolScope::Global, name: Arc::from(key) }, kind: SymbolKind::Unknown }
+}

@@ -1,0 +1,163 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Language server, debugger and runtime target for PLC programs in TECHNOL.
+#[derive(Debug, Parser)]
+#[command(name = "technol", version, about, disable_help_subcommand = true)]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Report the mistakes of a project
+    Check(CheckArguments),
+    /// Build the program image
+    Build(BuildArguments),
+    /// Run a project on the simulated machine
+    Run(RunArguments),
+    /// Be a runtime target that a debugger connects to
+    Target(TargetArguments),
+    /// Be a debug adapter (on stdio, or for one client after another on TCP)
+    Dap(DapArguments),
+    /// Be a language server on stdio
+    Lsp,
+    /// Explain an instruction, a symbol of the control or a diagnostic code
+    Explain(ExplainArguments),
+    /// Show the whole chain on the lathe example
+    Demo(DemoArguments),
+}
+
+/// Output format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    Human,
+    /// For programs.
+    Json,
+}
+
+/// Help language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    /// English.
+    En,
+    /// Czech.
+    Cs,
+}
+
+/// `technol check`
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// Project folder, technol.toml or a lone .plc file
+    #[arg(default_value = ".")]
+    pub(crate) path: PathBuf,
+    /// One line a finding for people, or one JSON object a line
+    #[arg(long, value_enum, default_value = "human")]
+    pub(crate) format: Format,
+}
+
+/// `technol build`
+#[derive(Debug, Args)]
+pub(crate) struct BuildArguments {
+    /// Project folder, technol.toml or a lone .plc file
+    #[arg(default_value = ".")]
+    pub(crate) path: PathBuf,
+    /// Folder for the results [default: `out` in the project folder]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Also write the listing (.LS1) with line numbers, addresses and code
+    #[arg(long)]
+    pub(crate) listing: bool,
+    /// Build even when nothing changed
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+/// `technol run`
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// Project folder, technol.toml or a lone .plc file
+    #[arg(default_value = ".")]
+    pub(crate) path: PathBuf,
+    /// How many 20 ms cycles to run
+    #[arg(long, value_name = "N")]
+    pub(crate) cycles: u64,
+    /// Set a bit, variable or mechanism before a cycle (default: before cycle 0, after MODULE_INIT)
+    #[arg(long, value_name = "NAME=VALUE[@CYCLE]")]
+    pub(crate) set: Vec<String>,
+    /// Names to print after the last cycle, comma separated; `TYPE.NAME` as in the language
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub(crate) print: Vec<String>,
+    /// For people, or one JSON object
+    #[arg(long, value_enum, default_value = "human")]
+    pub(crate) format: Format,
+    /// Take 20 ms for each cycle instead of running as fast as possible
+    #[arg(long)]
+    pub(crate) realtime: bool,
+    /// Switch a fault of the machine on before a cycle (default: before cycle 0)
+    #[arg(long, value_name = "NAME[@CYCLE]")]
+    pub(crate) fault: Vec<String>,
+}
+
+/// `technol target`
+#[derive(Debug, Args)]
+pub(crate) struct TargetArguments {
+    /// Image to load at the start (a debugger can download another one)
+    pub(crate) image: Option<PathBuf>,
+    /// Listen for a debugger
+    #[arg(long, value_name = "tcp:HOST:PORT", required_unless_present = "serial", conflicts_with = "serial")]
+    pub(crate) listen: Option<String>,
+    /// Serve a debugger on a serial line
+    #[arg(long, value_name = "DEVICE[@BAUD]")]
+    pub(crate) serial: Option<String>,
+    /// The machine behind the program
+    #[arg(long, value_name = "machine.toml")]
+    pub(crate) machine: Option<PathBuf>,
+    /// Clock of the program
+    #[arg(long, value_enum, default_value = "real")]
+    pub(crate) clock: ClockName,
+    /// Start the loaded program at once
+    #[arg(long, requires = "image")]
+    pub(crate) start: bool,
+}
+
+/// Clock of a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ClockName {
+    /// A cycle takes 20 ms.
+    Real,
+    /// Cycles run as fast as they can.
+    Virtual,
+}
+
+/// `technol dap`
+#[derive(Debug, Args)]
+pub(crate) struct DapArguments {
+    /// Listen for editors instead of using stdio
+    #[arg(long, value_name = "tcp:HOST:PORT")]
+    pub(crate) listen: Option<String>,
+}
+
+/// `technol explain`
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// Instruction, keyword, symbol of the control, or code such as T0123
+    pub(crate) name: String,
+    /// Language of the page
+    #[arg(long, value_enum, default_value = "en")]
+    pub(crate) language: Language,
+}
+
+/// `technol demo`
+#[derive(Debug, Args)]
+pub(crate) struct DemoArguments {
+    /// Another copy of the lathe example [default: the one this binary was built with]
+    pub(crate) path: Option<PathBuf>,
+}

@@ -1,0 +1,127 @@
+//! Tables derived from the code of a program when it is loaded.
+//!
+//! `Program::code` stays what it is and is the reference for stepping. Beside it lies one [`Fast`] entry per
+//! operation, which the free-running loop looks at first: a run of bit logic is evaluated there without
+//! branches, and break-points are patched there, so that code without one never asks for any.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use technol_image::Program;
+use technol_image::op::{Op, Pc};
+use technol_image::program::ModuleKind;
+
+use crate::context::NO_SEQUENCE;
+use crate::equation::{self, Term};
+
+/// How the free-running loop executes the operation of the same index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fast {
+    /// As `Program::code` says.
+    General,
+    /// A break-point lies here.
+    Break,
+    /// Bit logic, then writes of RLO: `logic + writes` operations, terms from `first` on.
+    Equation {
+        /// First term.
+        first: u32,
+        /// Terms that compute RLO.
+        logic: u8,
+        /// Terms that store RLO.
+        writes: u8,
+    },
+}
+
+/// Derived tables.
+#[derive(Clone, Debug)]
+pub(crate) struct Code {
+    pub(crate) fast: Vec<Fast>,
+    pub(crate) terms: Vec<Term>,
+    /// The operation starts a statement.
+    pub(crate) statement: Vec<bool>,
+    /// Sequence the operation belongs to, or [`NO_SEQUENCE`].
+    pub(crate) sequence_at: Vec<u16>,
+    /// Procedure `_ON_ESET`.
+    pub(crate) on_eset: Option<u16>,
+    /// Procedure `_ON_EVENT`.
+    pub(crate) on_event: Option<u16>,
+    /// Entries of `fast` that break-points replaced, in the order of replacement.
+    patches: Vec<(Pc, Fast)>,
+}
+
+impl Code {
+    /// Tables of a validated program.
+    pub(crate) fn new(program: &Program) -> Code {
+        let len = program.code.len();
+        let mut statement = vec![false; len];
+        for pc in &program.statements {
+            statement[*pc as usize] = true;
+        }
+        let mut sequence_at = vec![NO_SEQUENCE; len];
+        for (number, sequence) in program.sequences.iter().enumerate() {
+            sequence_at[sequence.start as usize..=sequence.end as usize].fill(number as u16);
+        }
+        let (fast, terms) = equation::fuse(&program.code);
+        Code {
+            fast,
+            terms,
+            statement,
+            sequence_at,
+            on_eset: program.procedure("_ON_ESET"),
+            on_event: program.procedure("_ON_EVENT"),
+            patches: Vec::new(),
+        }
+    }
+
+    pub(crate) fn sequence_of(&self, pc: Pc) -> Option<u16> {
+        self.sequence_at.get(pc as usize).copied().filter(|s| *s != NO_SEQUENCE)
+    }
+
+    /// Replaces all break-points.
+    pub(crate) fn patch(&mut self, pcs: &[Pc]) {
+        while let Some((pc, original)) = self.patches.pop() {
+            self.fast[pc as usize] = original;
+        }
+        for pc in pcs {
+            self.split_equation_before(*pc as usize);
+            self.replace(*pc as usize, Fast::Break);
+        }
+    }
+
+    /// Equations that would run across `pc` are executed one operation at a time.
+    fn split_equation_before(&mut self, pc: usize) {
+        for head in (pc.saturating_sub(equation::MAX_LEN)..pc).rev() {
+            if let Fast::Equation { logic, writes, .. } = self.fast[head]
+                && head + usize::from(logic) + usize::from(writes) > pc
+            {
+                self.replace(head, Fast::General);
+            }
+        }
+    }
+
+    fn replace(&mut self, at: usize, entry: Fast) {
+        self.patches.push((at as Pc, self.fast[at]));
+        self.fast[at] = entry;
+    }
+}
+
+/// Index of the module whose code contains `pc`.
+pub(crate) fn module_of(program: &Program, pc: Pc) -> Option<usize> {
+    program.modules.iter().position(|m| (m.start..m.end).contains(&pc))
+}
+
+/// Procedure whose body contains `pc`.
+pub(crate) fn procedure_of(program: &Program, pc: Pc) -> Option<u16> {
+    program.procedures.iter().position(|p| (p.start..p.end).contains(&pc)).map(|n| n as u16)
+}
+
+/// The debugger may stop in modules of this kind.
+pub(crate) const fn is_stoppable(kind: ModuleKind) -> bool {
+    !matches!(kind, ModuleKind::Fast | ModuleKind::Cont)
+}
+
+/// The operation never continues with the one after it.
+pub(crate) fn ends_flow(op: &Op) -> bool {
+    use technol_image::op::Cond;
+    matches!(op, Op::ModuleEnd | Op::Return | Op::Jump { cond: Cond::Always, .. })
+}

@@ -1,0 +1,125 @@
+//! The documents the editor has open: the texts are ours until they are closed.
+
+use ropey::Rope;
+use tower_lsp::ls_types::{TextDocumentContentChangeEvent, Uri};
+
+use crate::positions::{self, Encoding};
+
+/// An open document.
+#[derive(Clone, Debug)]
+pub(crate) struct Document {
+    /// The client's own spelling of its address, used in everything sent back.
+    pub(crate) uri: Uri,
+    /// The client's version.
+    pub(crate) version: i32,
+    /// Its text.
+    pub(crate) text: Rope,
+}
+
+impl Document {
+    /// A document as it was opened.
+    pub(crate) fn new(uri: Uri, version: i32, text: &str) -> Document {
+        Document { uri, version, text: Rope::from_str(text) }
+    }
+
+    /// Applies the changes in their order; each one's range is meant in the text the one before left.
+    pub(crate) fn change(&mut self, version: i32, changes: &[TextDocumentContentChangeEvent], encoding: Encoding) {
+        for change in changes {
+            let Some(range) = change.range else {
+                self.text = Rope::from_str(&change.text);
+                continue;
+            };
+            let start = positions::char_index(&self.text, range.start, encoding);
+            // An end before the start deletes nothing.
+            let end = positions::char_index(&self.text, range.end, encoding).max(start);
+            self.text.remove(start..end);
+            self.text.insert(start, &change.text);
+        }
+        self.version = version;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use tower_lsp::ls_types::{Position, Range};
+
+    use super::*;
+
+    fn document(text: &str) -> Document {
+        Document::new("untitled:a".parse().unwrap(), 1, text)
+    }
+
+    fn edit(from: (u32, u32), to: (u32, u32), text: &str) -> TextDocumentContentChangeEvent {
+        let position = |(line, character)| Position { line, character };
+        let range = Some(Range { start: position(from), end: position(to) });
+        TextDocumentContentChangeEvent { range, range_length: None, text: text.into() }
+    }
+
+    #[test]
+    fn several_changes_of_one_message_apply_one_after_the_other() {
+        let mut it = document("LDR A\r\nWR B\r\n");
+        it.change(5, &[edit((0, 4), (0, 5), "𝄞"), edit((0, 6), (0, 6), ";"), edit((1, 0), (2, 0), "")], Encoding::Utf16);
+        assert_eq!((it.text.to_string().as_str(), it.version), ("LDR 𝄞;\r\n", 5));
+    }
+
+    #[test]
+    fn a_change_without_a_range_replaces_everything() {
+        let mut it = document("LDR A");
+        let whole = TextDocumentContentChangeEvent { range: None, range_length: None, text: "WR B".into() };
+        it.change(2, &[whole], Encoding::Utf8);
+        assert_eq!(it.text.to_string(), "WR B");
+    }
+
+    #[test]
+    fn a_reversed_range_inserts_and_deletes_nothing() {
+        let mut it = document("LDR A");
+        it.change(2, &[edit((0, 3), (0, 1), "x")], Encoding::Utf8);
+        assert_eq!(it.text.to_string(), "LDRx A");
+    }
+
+    /// Byte offset of a position by the protocol's own words, without a rope.
+    fn offset(text: &str, line: u32, character: u32, encoding: Encoding) -> usize {
+        let mut lines = vec![0];
+        let bytes = text.as_bytes();
+        for (at, byte) in bytes.iter().enumerate() {
+            if *byte == b'\n' || (*byte == b'\r' && bytes.get(at + 1) != Some(&b'\n')) {
+                lines.push(at + 1);
+            }
+        }
+        let Some(&start) = lines.get(line as usize) else { return text.len() };
+        let (mut units, mut end) = (0, start);
+        for c in text[start..].chars() {
+            units += if encoding == Encoding::Utf8 { c.len_utf8() } else { c.len_utf16() };
+            if c == '\n' || c == '\r' || units > character as usize {
+                break;
+            }
+            end += c.len_utf8();
+        }
+        end
+    }
+
+    const TEXT: &str = "([aB;ř€𝄞\u{2028}]|\r\n|\n|\r){0,12}";
+
+    proptest! {
+        #[test]
+        fn edited_piecewise_equals_the_full_text(
+            start in TEXT,
+            edits in proptest::collection::vec(((0u32..6, 0u32..8), (0u32..6, 0u32..8), TEXT), 0..8),
+            utf8 in any::<bool>(),
+        ) {
+            let encoding = if utf8 { Encoding::Utf8 } else { Encoding::Utf16 };
+            let mut expected = start.clone();
+            let mut changes = Vec::new();
+            for (from, to, text) in edits {
+                let first = offset(&expected, from.0, from.1, encoding);
+                let last = offset(&expected, to.0, to.1, encoding).max(first);
+                expected.replace_range(first..last, &text);
+                changes.push(edit(from, to, &text));
+            }
+            let mut it = document(&start);
+            it.change(2, &changes, encoding);
+            prop_assert_eq!(it.text.to_string(), expected);
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! `cargo xtask test`: everything that has to hold before a change lands.
+
+use crate::generate;
+use crate::run::{available, cargo, npm};
+
+/// Folders with an npm package and the scripts to run in each.
+const PACKAGES: &[(&str, &str, &[&str])] = &[
+    ("VS Code extension", "editors/vscode", &["build", "test"]),
+    ("debug adapter, driven by Microsoft's test client", "tests/debug-adapter", &["test"]),
+];
+
+/// Runs all checks and tests, cheapest first, and says at the end what was skipped.
+pub(crate) fn test() -> Result<(), String> {
+    let mut skipped = Vec::new();
+    cargo("formatting", &["fmt", "--all", "--check"])?;
+    cargo("lints", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
+    generate::generate(true)?;
+    if available("cargo", &["nextest", "--version"]) {
+        cargo("tests", &["nextest", "run", "--workspace", "--no-fail-fast"])?;
+    } else {
+        println!("cargo-nextest is not installed: using the slower `cargo test`");
+        cargo("tests", &["test", "--workspace", "--no-fail-fast", "--lib", "--bins", "--tests"])?;
+    }
+    cargo("documentation tests", &["test", "--workspace", "--doc", "--quiet"])?;
+    if available(if cfg!(windows) { "npm.cmd" } else { "npm" }, &["--version"]) {
+        // The Node tests drive the real binary.
+        cargo("the binary for the editors' tests", &["build", "--package", "technol"])?;
+        for (what, folder, scripts) in PACKAGES {
+            npm(&format!("{what}: packages"), folder, &["ci", "--no-audit", "--no-fund"])?;
+            for script in *scripts {
+                npm(&format!("{what}: {script}"), folder, &["run", script])?;
+            }
+        }
+    } else {
+        skipped.push("the editors' tests: Node.js (20 or newer) with npm is not installed");
+    }
+    println!();
+    for what in &skipped {
+        println!("SKIPPED {what}");
+    }
+    println!("all tests passed{}", if skipped.is_empty() { "" } else { " but the skipped ones" });
+    Ok(())
+}
+
+/// Builds the VS Code extension.
+pub(crate) fn package() -> Result<(), String> {
+    npm("VS Code extension: packages", "editors/vscode", &["ci", "--no-audit", "--no-fund"])?;
+    npm("VS Code extension: .vsix", "editors/vscode", &["run", "package"])
+}
