@@ -10,10 +10,11 @@ use std::sync::Arc;
 use crate::diagnostics::Diagnostic;
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
-use crate::semantics::declarations::Declarations;
+use crate::semantics::declarations::{Declarations, Exports};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::scope::{Scope, Symbol, SymbolKind};
-use crate::semantics::{self, declarations};
+use crate::semantics::program::Parts;
+use crate::semantics::{self, collect};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{self, ParsedLines};
 
@@ -161,16 +162,29 @@ pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines
 /// What a section declares, with own-line positions.
 #[salsa::tracked]
 pub fn section_declarations<'db>(db: &'db dyn Db, section: Section<'db>) -> Declarations {
-    declarations::collect(section_lines(db, section), section.kind(db), section.outer(db))
+    collect::collect(section_lines(db, section), section.text(db), section.kind(db))
 }
 
 /// What a section declares for others, without positions.
 #[salsa::tracked]
-pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> declarations::Exports {
-    declarations::exports(section_declarations(db, section), section.kind(db))
+pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> Exports {
+    collect::exports(section_declarations(db, section))
 }
 
-/// Names and memory of the project.
+/// The sections that take part in the program, in order.
+#[salsa::tracked]
+pub fn parts<'db>(db: &'db dyn Db, project: Project) -> Parts<'db> {
+    semantics::program::parts(db, project)
+}
+
+/// A section's declarations with the lengths and constants that need other sections filled in: what the layout
+/// of memory reads.
+#[salsa::tracked]
+pub fn resolved_declarations<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Declarations {
+    semantics::program::resolved(db, project, section)
+}
+
+/// Names of the project.
 #[salsa::tracked]
 pub fn scope(db: &dyn Db, project: Project) -> Scope {
     semantics::program::scope(db, project)
@@ -215,4 +229,11 @@ pub fn system_symbol(key: &str) -> Option<Symbol> {
 #[must_use]
 pub fn unknown_symbol(key: &str) -> Symbol {
     Symbol { key: SymbolKey { scope: SymbolScope::Global, name: Arc::from(key) }, kind: SymbolKind::Unknown }
+}
+
+impl<'db> Section<'db> {
+    /// Number of own lines. Unlike [`Section::lines`] it does not depend on where they stand.
+    pub fn lines_len(self, db: &'db dyn Db) -> u32 {
+        section_lines(db, self).lines.len() as u32
+    }
 }

@@ -72,14 +72,14 @@ impl Outbox {
         let mut bytes = encode(&message);
         let give_up = Instant::now() + PATIENCE;
         while !self.gone {
-            match self.sink.try_send(bytes) {
-                Ok(()) => return,
-                Err(TrySendError::Full(back)) if Instant::now() < give_up => {
-                    bytes = back;
-                    std::thread::sleep(Duration::from_millis(5));
+            bytes = match self.sink.try_send(bytes) {
+                Err(TrySendError::Full(back)) if Instant::now() < give_up => back,
+                result => {
+                    self.gone = result.is_err();
+                    return;
                 }
-                Err(_) => self.gone = true,
-            }
+            };
+            std::thread::sleep(Duration::from_millis(5));
         }
     }
 }

@@ -5,6 +5,9 @@ use tower_lsp::ls_types::{TextDocumentContentChangeEvent, Uri};
 
 use crate::positions::{self, Encoding};
 
+/// The instruction that makes another file part of the project.
+const INCLUDE: &str = "T_INCLUDE";
+
 /// An open document.
 #[derive(Clone, Debug)]
 pub(crate) struct Document {
@@ -23,19 +26,37 @@ impl Document {
     }
 
     /// Applies the changes in their order; each one's range is meant in the text the one before left.
-    pub(crate) fn change(&mut self, version: i32, changes: &[TextDocumentContentChangeEvent], encoding: Encoding) {
+    /// Returns whether a line that includes a file was touched.
+    pub(crate) fn change(
+        &mut self,
+        version: i32,
+        changes: &[TextDocumentContentChangeEvent],
+        encoding: Encoding,
+    ) -> bool {
+        let mut includes = false;
         for change in changes {
             let Some(range) = change.range else {
                 self.text = Rope::from_str(&change.text);
+                includes = true; // nobody looked
                 continue;
             };
             let start = positions::char_index(&self.text, range.start, encoding);
             // An end before the start deletes nothing.
             let end = positions::char_index(&self.text, range.end, encoding).max(start);
+            includes |= self.includes_at(start, end);
             self.text.remove(start..end);
             self.text.insert(start, &change.text);
+            includes |= self.includes_at(start, start + change.text.chars().count());
         }
         self.version = version;
+        includes
+    }
+
+    /// Whether a line from character `start` to `end` includes a file, or looks like it.
+    fn includes_at(&self, start: usize, end: usize) -> bool {
+        let lines = self.text.char_to_line(start)..=self.text.char_to_line(end);
+        let text = self.text.slice(self.text.line_to_char(*lines.start())..self.text.line_to_char(*lines.end() + 1));
+        text.to_string().to_ascii_uppercase().contains(INCLUDE)
     }
 }
 
@@ -69,6 +90,20 @@ mod tests {
         let whole = TextDocumentContentChangeEvent { range: None, range_length: None, text: "WR B".into() };
         it.change(2, &[whole], Encoding::Utf8);
         assert_eq!(it.text.to_string(), "WR B");
+    }
+
+    #[test]
+    fn touching_an_include_is_noticed() {
+        let mut it = document("LDR A\n t_include 'a.inc'\nWR B\n");
+        for (change, noticed) in [
+            (edit((0, 0), (0, 0), ";"), false),
+            (edit((1, 12), (1, 13), "b"), true),
+            (edit((0, 0), (2, 0), ""), true),
+            (edit((0, 0), (0, 0), "T_INCLUDE 'x'\n"), true),
+            (edit((1, 0), (1, 0), "; "), false),
+        ] {
+            assert_eq!(it.change(2, std::slice::from_ref(&change), Encoding::Utf16), noticed, "{change:?}");
+        }
     }
 
     #[test]

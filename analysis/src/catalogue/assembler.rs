@@ -4,7 +4,7 @@
 //! none is reported as unknown, and refused by `build`.
 
 use super::entry::{Bilingual, Effect, Entry, OperandKind, OperandSpec};
-use super::pattern::{INSTRUCTION, form, operand, text};
+use super::pattern::{INSTRUCTION, example, form, operand, text};
 
 const ANY: &[OperandSpec] = &[operand(
     "operand",
@@ -15,8 +15,23 @@ const ANY: &[OperandSpec] = &[operand(
 .or_nothing()
 .repeated()];
 
+const KNOWN_ONLY: Bilingual = text(
+    "The editor knows this instruction, `build` refuses it (this implementation): write the same with \
+     instructions of TECHNOL.",
+    "Editor tuto instrukci zná, překlad ji odmítne (tato implementace): zapište totéž instrukcemi jazyka \
+     TECHNOL.",
+);
+
 const fn known(name: &'static str, summary: Bilingual) -> Entry {
-    Entry { name, chapter: "3.1", operands: ANY, summary, executable: false, ..INSTRUCTION }
+    Entry {
+        name,
+        chapter: "3.1",
+        operands: ANY,
+        summary,
+        description: KNOWN_ONLY,
+        executable: false,
+        ..INSTRUCTION
+    }
 }
 
 const ARITHMETIC: Bilingual =
@@ -48,6 +63,18 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Disables interrupts on the 80386; has no effect (this implementation).",
             "Na 80386 zakazuje přerušení; nemá žádný účinek (tato implementace).",
         ),
+        description: text(
+            "A pass of a module is not interrupted by another module of the same raster, so a group of \
+             cells can be read consistently without it (this implementation). RLO and DR stay.",
+            "Průchod modulem nepřeruší jiný modul téhož rastru, skupinu buněk lze proto přečíst \
+             konzistentně i bez ní (tato implementace). RLO ani DR se nemění.",
+        ),
+        examples: &[example(
+            concat!("        CLI\n", "        LOD  DWRD.B_POL\n", "        AD   DWRD.B_INK\n", "        STI"),
+            "Reads a position from two buffers.",
+            "Přečte polohu ze dvou bufferů.",
+        )],
+        related: &["STI"],
         ..INSTRUCTION
     },
     Entry {
@@ -58,6 +85,18 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Enables interrupts on the 80386; has no effect (this implementation).",
             "Na 80386 povoluje přerušení; nemá žádný účinek (tato implementace).",
         ),
+        description: text(
+            "Stands behind what CLI began; both may stay in programs written for the original control \
+             (this implementation). RLO and DR stay.",
+            "Stojí za úsekem, který začala CLI; v programech psaných pro původní systém mohou obě zůstat \
+             (tato implementace). RLO ani DR se nemění.",
+        ),
+        examples: &[example(
+            concat!("        CLI\n", "        LOD  DWRD.B_POL\n", "        AD   DWRD.B_INK\n", "        STI"),
+            "Reads a position from two buffers.",
+            "Přečte polohu ze dvou bufferů.",
+        )],
+        related: &["CLI"],
         ..INSTRUCTION
     },
     Entry {
@@ -65,6 +104,12 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "3.1",
         forms: &[form("NOP")],
         summary: text("Does nothing.", "Neprovede nic."),
+        description: text(
+            "Takes one step of the program and changes nothing.",
+            "Zabere jeden krok programu a nic nezmění.",
+        ),
+        examples: &[example("        NOP", "An empty step.", "Prázdný krok.")],
+        related: &["EX"],
         ..INSTRUCTION
     },
     Entry {
@@ -90,6 +135,18 @@ pub(super) static ENTRIES: &[Entry] = &[
             "`MOV BX,CX` loads the index register BX with the lower 16 bits of DR.",
             "`MOV BX,CX` naplní indexový registr BX spodními 16 bity DR.",
         ),
+        description: text(
+            "CX is the lower half of DR, so this is the way an index computed in DR gets to BX. RLO and DR \
+             stay. Other registers and operands are known, but `build` refuses them (this implementation).",
+            "CX je spodní polovina DR, touto cestou se tedy index spočtený v DR dostane do BX. RLO ani DR se \
+             nemění. Jiné registry a operandy editor zná, překlad je ale odmítne (tato implementace).",
+        ),
+        examples: &[example(
+            concat!("        LOD  INDEX\n", "        MOV  BX,CX\n", "        LOD  BYTE.TABLE[BX]"),
+            "Loads the byte of TABLE that INDEX selects.",
+            "Načte slabiku tabulky TABLE, kterou vybírá INDEX.",
+        )],
+        related: &["BX", "LOD"],
         ..INSTRUCTION
     },
     known("ADD", ARITHMETIC),

@@ -7,10 +7,21 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 pub mod entry;
+pub mod page;
 pub mod symbol;
 
 mod assembler;
+mod chapter10;
+mod chapter12;
 mod chapter14;
+mod chapter16;
+mod chapter17;
+mod chapter18;
+mod chapter20;
+mod chapter22;
+mod chapter23;
+mod chapter26;
+mod chapter27;
 mod chapter3_arithmetic;
 mod chapter3_bits;
 mod chapter3_compare;
@@ -24,9 +35,13 @@ mod chapter3_strings;
 mod chapter3_time;
 mod chapter3_types;
 mod chapter4;
-mod chapter5;
+mod chapter5_cycle;
+mod chapter5_lifecycle;
 mod chapter7;
+mod chapter9;
 mod pattern;
+#[cfg(test)]
+mod tests;
 
 pub use entry::{
     Access, Bilingual, Effect, Entry, EntryKind, Equation, Example, Form, OperandKind, OperandSpec, Place,
@@ -111,9 +126,21 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter3_procedures::ENTRIES,
     chapter3_strings::ENTRIES,
     chapter4::ENTRIES,
-    chapter5::ENTRIES,
+    chapter5_cycle::ENTRIES,
+    chapter5_lifecycle::ENTRIES,
     chapter7::ENTRIES,
+    chapter9::ENTRIES,
+    chapter10::ENTRIES,
+    chapter12::ENTRIES,
     chapter14::ENTRIES,
+    chapter16::ENTRIES,
+    chapter17::ENTRIES,
+    chapter18::ENTRIES,
+    chapter20::ENTRIES,
+    chapter22::ENTRIES,
+    chapter23::ENTRIES,
+    chapter26::ENTRIES,
+    chapter27::ENTRIES,
 ];
 
 static BY_NAME: LazyLock<HashMap<&'static str, &'static Entry>> =

@@ -8,8 +8,15 @@ use technol_image::op::Addr;
 use super::entry::{Bilingual, Prefix};
 use super::look_up;
 
+mod axes;
 mod interface;
+mod jog;
+mod motion;
+mod peripherals;
 mod ports;
+mod space;
+mod spindle;
+mod state;
 
 /// Who writes a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,8 +74,10 @@ pub enum SystemKind {
 /// A predefined symbol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SystemSymbol {
-    /// Its name in upper case.
+    /// Its name in upper case: the key of the symbol.
     pub name: &'static str,
+    /// Its name as the manual spells it.
+    pub spelling: &'static str,
     /// What it is.
     pub kind: SystemKind,
     /// Who writes it.
@@ -88,6 +97,13 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     let mut symbols = Vec::new();
     ports::list(&mut symbols);
     interface::list(&mut symbols);
+    let mut space = space::Space::new();
+    for family in axes::FAMILIES {
+        space.axis_bits(family, &mut symbols);
+    }
+    for rows in [motion::ROWS, spindle::ROWS, jog::ROWS, peripherals::ROWS, state::ROWS] {
+        space.rows(rows, &mut symbols);
+    }
     let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
     Table { symbols, by_name }
 });

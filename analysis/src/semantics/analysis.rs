@@ -1,7 +1,5 @@
 //! What the analysis of one section gives.
 
-use technol_image::op::Width;
-
 use super::hir::{Body, SymbolKey};
 use super::reference::Reference;
 use crate::diagnostics::Finding;
@@ -33,6 +31,8 @@ pub struct Overrun {
     pub symbol: SymbolKey,
     /// Byte offset of the access from the symbol.
     pub offset: i64,
-    /// Its width.
-    pub width: Width,
+    /// Its length in bytes.
+    pub bytes: u32,
+    /// Length declared for the symbol in bytes.
+    pub declared: u32,
 }

@@ -89,6 +89,19 @@ impl ConstExpr {
         }
     }
 
+    /// Keys of the names in it.
+    pub fn names<'a>(&'a self, found: &mut Vec<&'a str>) {
+        match self {
+            ConstExpr::Integer(_) => {}
+            ConstExpr::Name(name) => found.push(name),
+            ConstExpr::Negated(inner) => inner.names(found),
+            ConstExpr::Sum { left, right, .. } => {
+                left.names(found);
+                right.names(found);
+            }
+        }
+    }
+
     /// The value when no name is needed.
     #[must_use]
     pub fn literal(&self) -> Option<i64> {

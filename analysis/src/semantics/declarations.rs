@@ -1,6 +1,9 @@
 //! What the lines of a section declare. Positions are own lines of the section, so that declarations stay equal
 //! while other sections change.
 
+use std::sync::Arc;
+
+use super::constant::ConstExpr;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::{Columns, Expr, Name};
 

@@ -126,6 +126,11 @@ pub enum StatementKind {
         /// Ordinal within the file.
         ordinal: u32,
     },
+    /// A user instruction (macro call); not expanded yet, `build` refuses it.
+    Macro {
+        /// Key of its name.
+        name: Arc<str>,
+    },
     /// Nothing: carries labels only.
     Empty,
 }

@@ -42,6 +42,14 @@ pub struct DataBlock<'a> {
     pub declarations: &'a Declarations,
 }
 
+impl DataBlock<'_> {
+    /// Who owns the memory it declares.
+    #[must_use]
+    pub fn scope(&self) -> SymbolScope {
+        if self.kind == SectionKind::DataLocal { SymbolScope::File(self.file) } else { SymbolScope::Global }
+    }
+}
+
 /// A symbol in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Placed {
@@ -132,9 +140,10 @@ pub fn line_key(mechanism: &str) -> String {
 }
 
 impl Layout {
-    /// Lays out `blocks`, given in execution order of their files and in source order within a file.
+    /// Lays out `blocks`, given in execution order of their files and in source order within a file. `system` gives the
+    /// addresses of predefined symbols, which texts may lie over.
     #[must_use]
-    pub fn compute(blocks: &[DataBlock<'_>]) -> Layout {
+    pub fn compute(blocks: &[DataBlock<'_>], system: &dyn Fn(&str) -> Option<Addr>) -> Layout {
         let mut layout = Layout::default();
         let data_len = layout.measure(blocks);
         let count = blocks.iter().filter(|b| sequence_kind(b.kind).is_some()).count();
@@ -145,6 +154,9 @@ impl Layout {
         layout.place_sequences(blocks, system::LEN + data_len, count);
         for block in blocks {
             layout.place_block(block, &mut next);
+        }
+        for block in blocks {
+            layout.place_overlays(block, system);
         }
         layout
     }
@@ -228,9 +240,8 @@ impl Layout {
     }
 
     fn place_block(&mut self, block: &DataBlock<'_>, next: &mut Cursors) {
-        let local = block.kind == SectionKind::DataLocal;
-        let scope = if local { SymbolScope::File(block.file) } else { SymbolScope::Global };
-        let cursor = if local { &mut next.local } else { &mut next.global };
+        let scope = block.scope();
+        let cursor = if block.kind == SectionKind::DataLocal { &mut next.local } else { &mut next.global };
         let mut starts = Vec::with_capacity(block.declarations.storage.len());
         for piece in &block.declarations.storage {
             starts.push(*cursor);
@@ -252,20 +263,40 @@ impl Layout {
                 }
                 What::Cell { storage } => at(storage).map(|(addr, len)| Placed { addr, len, kind: cell_kind(len) }),
                 What::Area { storage } => at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Area }),
-                What::Text { storage: Some(storage), len: characters } => {
+                What::Text { storage: Some(storage), len: characters, .. } => {
                     at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Text(characters) })
                 }
-                What::Text { storage: None, .. }
-                | What::Constant(_)
-                | What::Mechanism
-                | What::Procedure
-                | What::Label => None,
+                _ => None,
             };
             if let Some(placed) = placed {
                 self.places.entry(SymbolKey { scope, name: declared.name.key().into() }).or_insert(placed);
             }
         }
     }
+
+    fn place_overlays(&mut self, block: &DataBlock<'_>, system: &dyn Fn(&str) -> Option<Addr>) {
+        for declared in &block.declarations.names {
+            let What::Text { storage: None, over: Some(over), len } = &declared.what else { continue };
+            let base = named_addr(&self.places, block.file, &over.symbol, system);
+            let addr = base.and_then(|base| Addr::try_from(i64::from(base).checked_add(over.offset)?).ok());
+            if let Some(addr) = addr {
+                let placed = Placed { addr, len: len.saturating_add(1), kind: PlacedKind::Text(*len) };
+                let key = SymbolKey { scope: block.scope(), name: declared.name.key().into() };
+                self.places.entry(key).or_insert(placed);
+            }
+        }
+    }
+}
+
+/// A symbol as an overlay names it: local to the file, else global, else predefined.
+fn named_addr(
+    places: &HashMap<SymbolKey, Placed>,
+    file: u8,
+    name: &str,
+    system: &dyn Fn(&str) -> Option<Addr>,
+) -> Option<Addr> {
+    let find = |scope| places.get(&SymbolKey { scope, name: name.into() }).map(|p| p.addr);
+    find(SymbolScope::File(file)).or_else(|| find(SymbolScope::Global)).or_else(|| system(name))
 }
 
 /// Next free byte of the regions.
@@ -299,7 +330,7 @@ fn line_of_storage(declarations: &Declarations, wanted: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::semantics::declarations::{Declared, Storage};
+    use crate::semantics::declarations::{Declared, Overlay, Storage};
     use crate::syntax::ast::Name;
 
     fn named(name: &str, line: u32, what: What) -> Declared {
@@ -308,7 +339,7 @@ mod tests {
 
     fn data(lens: &[u32], names: Vec<Declared>) -> Declarations {
         let storage = lens.iter().map(|len| Storage { len: *len, initial: None }).collect();
-        Declarations { storage, names }
+        Declarations { storage, names, ..Declarations::default() }
     }
 
     fn mechanism(name: &str) -> Declarations {
@@ -317,6 +348,10 @@ mod tests {
 
     fn block<'a>(kind: SectionKind, name: &'a str, file: u8, declarations: &'a Declarations) -> DataBlock<'a> {
         DataBlock { kind, name, file, declarations }
+    }
+
+    fn nothing(_: &str) -> Option<Addr> {
+        None
     }
 
     fn global(name: &str) -> SymbolKey {
@@ -341,10 +376,8 @@ mod tests {
                 named("CNT", 2, What::Cell { storage: 1 }),
             ],
         );
-        let layout = Layout::compute(&[
-            block(SectionKind::Data, "", 0, &first),
-            block(SectionKind::Data, "", 1, &second),
-        ]);
+        let blocks = [block(SectionKind::Data, "", 0, &first), block(SectionKind::Data, "", 1, &second)];
+        let layout = Layout::compute(&blocks, &nothing);
         let place = |name| layout.place(&global(name)).map(|p| (p.addr, p.len, p.kind));
         assert_eq!(place("ALFA"), Some((0x8000, 1, PlacedKind::Cell(Width::Byte))));
         assert_eq!(place("BETA"), Some((0x8001, 4, PlacedKind::Cell(Width::DWord))));
@@ -363,7 +396,7 @@ mod tests {
         let names: Vec<String> = (0..9).map(|n| format!("M{n}")).collect();
         let mut blocks = vec![block(SectionKind::Data, "", 0, &cells), block(SectionKind::DataLocal, "", 1, &local)];
         blocks.extend(mechs.iter().zip(&names).map(|(d, n)| block(SectionKind::Mechanism, n, 0, d)));
-        let layout = Layout::compute(&blocks);
+        let layout = Layout::compute(&blocks, &nothing);
         assert_eq!(layout.global_len, 3 + 2 + 9 * 6);
         let eighth = &layout.sequences[8];
         assert_eq!((eighth.active_addr, eighth.active_bit), (0x8004, 0));
@@ -378,7 +411,7 @@ mod tests {
     fn block_modules_have_cells_but_no_symbol() {
         let none = Declarations::default();
         let layout =
-            Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)]);
+            Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)], &nothing);
         assert_eq!(layout.sequences.len(), 1);
         assert_eq!(&*layout.sequences[0].name, "MODULE_BLOCK_INIT");
         assert_eq!(layout.place(&global("MODULE_BLOCK_INIT")), None);
@@ -390,18 +423,32 @@ mod tests {
             &[MAX_REGION, 1],
             vec![named("A", 1, What::Area { storage: 0 }), named("B", 2, What::Cell { storage: 1 })],
         );
-        let overflow = Layout::compute(&[block(SectionKind::Data, "", 0, &big)]).overflow.unwrap();
+        let overflow = Layout::compute(&[block(SectionKind::Data, "", 0, &big)], &nothing).overflow.unwrap();
         assert_eq!((overflow.block, overflow.line), (0, 2));
         let huge = data(&[u32::MAX, u32::MAX], vec![]);
-        assert!(Layout::compute(&[block(SectionKind::DataLocal, "", 0, &huge)]).overflow.is_some());
+        assert!(Layout::compute(&[block(SectionKind::DataLocal, "", 0, &huge)], &nothing).overflow.is_some());
     }
 
     #[test]
-    fn a_preset_text_is_initial_memory() {
-        let mut text = data(&[4], vec![named("TX", 1, What::Text { storage: Some(0), len: 3 })]);
+    fn texts_are_initial_memory_and_may_lie_over_other_symbols() {
+        let over = |symbol: &str, offset| Some(Overlay { symbol: symbol.into(), offset });
+        let mut text = data(
+            &[4],
+            vec![
+                named("TX", 1, What::Text { storage: Some(0), over: None, len: 3 }),
+                named("TAIL", 2, What::Text { storage: None, over: over("TX", 1), len: 2 }),
+                named("FAR", 3, What::Text { storage: None, over: over("PLC_MEM", 16), len: 2 }),
+                named("LOST", 4, What::Text { storage: None, over: over("NOBODY", 0), len: 2 }),
+            ],
+        );
+        let system = |name: &str| (name == "PLC_MEM").then_some(0x1000);
         text.storage[0].initial = Some(b"ABC".to_vec());
-        let layout = Layout::compute(&[block(SectionKind::Data, "", 0, &text)]);
+        let layout = Layout::compute(&[block(SectionKind::Data, "", 0, &text)], &system);
         assert_eq!(layout.initial, vec![InitialData { addr: 0x8000, bytes: b"ABC".to_vec() }]);
-        assert_eq!(layout.place(&global("TX")).map(|p| p.len), Some(4));
+        let place = |name| layout.place(&global(name)).map(|p| (p.addr, p.len));
+        assert_eq!(place("TX"), Some((0x8000, 4)));
+        assert_eq!(place("TAIL"), Some((0x8001, 3)));
+        assert_eq!(place("FAR"), Some((0x1010, 3)));
+        assert_eq!(place("LOST"), None);
     }
 }

@@ -8,10 +8,12 @@ pub mod reference;
 pub mod scope;
 
 mod address;
-mod code;
+pub(crate) mod code;
+pub(crate) mod collect;
 mod equations;
 mod flow;
 mod operands;
+mod place;
 mod structure;
 mod suggest;
-mod program;
+pub mod program;

@@ -4,7 +4,7 @@
 //! where a name is declared. Code does not depend on the whole scope but on
 //! [`lookup`](crate::database::lookup) of the names it uses.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
@@ -106,6 +106,8 @@ pub struct Scope {
     pub mechanisms: Vec<Routine>,
     /// Procedures in order of files and text.
     pub procedures: Vec<Routine>,
+    /// Constants at which a circle of EQUI values was found.
+    pub circular: BTreeSet<Arc<str>>,
     /// Names declared more than once, ascending.
     pub clashes: BTreeMap<SymbolKey, Clash>,
 }

@@ -35,7 +35,12 @@ pub(super) fn is_blank(c: char) -> bool {
 
 /// Length of the blanks at the start of `text`.
 pub(super) fn blank_len(text: &str) -> usize {
-    text.find(|c| !is_blank(c)).unwrap_or(text.len())
+    let plain = text.bytes().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    let rest = &text[plain..];
+    match rest.as_bytes().first() {
+        None | Some(b'!'..=b'~') => plain,
+        _ => plain + rest.find(|c| !is_blank(c)).unwrap_or(rest.len()),
+    }
 }
 
 /// Length of the name or number at the start of `text`, 0 when there is none. Letters outside ASCII belong to
@@ -43,15 +48,14 @@ pub(super) fn blank_len(text: &str) -> usize {
 pub(super) fn word_len(text: &str) -> usize {
     let ascii = text.bytes().take_while(|b| is_ascii_word(*b)).count();
     match text.as_bytes().get(ascii) {
-        Some(b) if !b.is_ascii() => {
-            text.find(|c: char| !(is_word(c))).unwrap_or(text.len())
-        }
+        Some(b) if !b.is_ascii() => text.find(|c: char| !(is_word(c))).unwrap_or(text.len()),
         _ => ascii,
     }
 }
 
 fn is_word(c: char) -> bool {
-    u8::try_from(c).map_or_else(|_| c.is_alphanumeric(), |b| is_ascii_word(b) || (!b.is_ascii() && c.is_alphanumeric()))
+    u8::try_from(c)
+        .map_or_else(|_| c.is_alphanumeric(), |b| is_ascii_word(b) || (!b.is_ascii() && c.is_alphanumeric()))
 }
 
 fn is_ascii_word(b: u8) -> bool {
@@ -100,6 +104,7 @@ impl Lexer<'_> {
             b')' => SyntaxKind::RightParen,
             b'[' => SyntaxKind::LeftBracket,
             b']' => SyntaxKind::RightBracket,
+            b' ' | b'\t' => return (SyntaxKind::Whitespace, blank_len(rest)),
             b';' => return (SyntaxKind::Comment, rest.len()),
             b'0'..=b'9' => return (SyntaxKind::Number, number_len(rest)),
             _ if is_ascii_word(first) => return (SyntaxKind::Name, self.name(at, rest)),
@@ -136,7 +141,7 @@ impl Lexer<'_> {
     fn text(&mut self, at: usize, rest: &str, open: char, family: Quotes) -> (SyntaxKind, usize) {
         let inner = &rest[open.len_utf8()..];
         let found = if open == '\'' {
-            apostrophe(inner).or_else(|| inner.find(|c| family.holds(c)))
+            apostrophe(inner).or_else(|| inner.find(|c| c != '\'' && family.holds(c)))
         } else {
             inner.find(|c| family.holds(c))
         };

@@ -107,12 +107,11 @@ fn operands(cursor: &mut Cursor<'_>, operation: Token) -> Vec<Expr> {
     let mut place = None;
     loop {
         let token = cursor.peek();
-        match token.filter(|t| t.kind != SyntaxKind::Comma) {
-            Some(token) => operands.push(operand(cursor, token)),
-            None => {
-                let at = place.unwrap_or_else(|| token.map_or(operation.end, |t| t.start));
-                operands.push(Expr { kind: ExprKind::Missing, columns: at..at });
-            }
+        if let Some(first) = token.filter(|t| t.kind != SyntaxKind::Comma) {
+            operands.push(operand(cursor, first));
+        } else {
+            let at = place.unwrap_or_else(|| token.map_or(operation.end, |t| t.start));
+            operands.push(Expr { kind: ExprKind::Missing, columns: at..at });
         }
         let blank_separates = (macro_head && operands.len() == 1) || separates(operands.last());
         match separator(cursor, blank_separates) {

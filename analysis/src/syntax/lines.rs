@@ -35,7 +35,16 @@ mod tests {
         let cut: Vec<_> = lines("a\nb\r\nc\rd\n\n\r\re").map(|l| (l.text, l.end)).collect();
         assert_eq!(
             cut,
-            [("a", "\n"), ("b", "\r\n"), ("c", "\r"), ("d", "\n"), ("", "\n"), ("", "\r"), ("", "\r"), ("e", "")]
+            [
+                ("a", "\n"),
+                ("b", "\r\n"),
+                ("c", "\r"),
+                ("d", "\n"),
+                ("", "\n"),
+                ("", "\r"),
+                ("", "\r"),
+                ("e", "")
+            ]
         );
     }
 

@@ -172,7 +172,9 @@ fn primary(cursor: &mut Cursor<'_>, after: Token) -> Expr {
     let kind = match token.kind {
         SyntaxKind::Name => ExprKind::Name(cursor.name(token)),
         SyntaxKind::Number => number(cursor, token),
-        SyntaxKind::Text | SyntaxKind::UnclosedText => ExprKind::Text(text(cursor.spelling(token), token.kind)),
+        SyntaxKind::Text | SyntaxKind::UnclosedText => {
+            ExprKind::Text(text(cursor.spelling(token), token.kind))
+        }
         SyntaxKind::FileName => ExprKind::Text(cursor.spelling(token).to_owned()),
         SyntaxKind::Dollar => ExprKind::Dollar,
         SyntaxKind::Unexpected => ExprKind::Error,
@@ -203,7 +205,8 @@ fn bracketed(cursor: &mut Cursor<'_>, open: Token) -> (Expr, u32) {
     cursor.open += 1;
     let inner = sum(cursor, open);
     cursor.open -= 1;
-    let closing = if open.kind == SyntaxKind::LeftParen { SyntaxKind::RightParen } else { SyntaxKind::RightBracket };
+    let closing =
+        if open.kind == SyntaxKind::LeftParen { SyntaxKind::RightParen } else { SyntaxKind::RightBracket };
     let mut end = inner.columns.end.max(open.end);
     while let Some(token) = cursor.peek() {
         match token.kind {
@@ -252,13 +255,11 @@ fn text(spelling: &str, kind: SyntaxKind) -> String {
 }
 
 fn number(cursor: &mut Cursor<'_>, token: Token) -> ExprKind {
-    match number_value(cursor.spelling(token)) {
-        Some(number) => ExprKind::Number(number),
-        None => {
-            cursor.report(token.columns(), SyntaxErrorKind::BadNumber);
-            ExprKind::Error
-        }
+    let value = number_value(cursor.spelling(token));
+    if value.is_none() {
+        cursor.report(token.columns(), SyntaxErrorKind::BadNumber);
     }
+    value.map_or(ExprKind::Error, ExprKind::Number)
 }
 
 /// Value of a number: `123`, `123d`, `0F8h`, `0001b`, `1.8`.

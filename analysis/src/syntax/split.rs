@@ -72,7 +72,11 @@ struct Cutter {
 
 impl Cutter {
     fn new() -> Self {
-        Cutter { sections: vec![empty(SectionKind::File, String::new(), 0, None)], open: vec![0], ordinals: HashMap::new() }
+        Cutter {
+            sections: vec![empty(SectionKind::File, String::new(), 0, None)],
+            open: vec![0],
+            ordinals: HashMap::new(),
+        }
     }
 
     fn innermost(&self) -> usize {
@@ -98,7 +102,9 @@ impl Cutter {
             SectionKind::Macro => inner != SectionKind::Macro,
         };
         // The body of a macro is text until it is expanded.
-        if self.in_macro() && matches!(kind, SectionKind::Mechanism | SectionKind::Procedure | SectionKind::DataLocal) {
+        if self.in_macro()
+            && matches!(kind, SectionKind::Mechanism | SectionKind::Procedure | SectionKind::DataLocal)
+        {
             return self.innermost();
         }
         while self.open.len() > 1 && !stays(self.kind(self.open.len() - 1)) {
@@ -188,7 +194,9 @@ fn boundary(line: &str) -> Option<Boundary<'_>> {
 }
 
 fn module(word: &str) -> Option<Boundary<'static>> {
-    let ends = word.len() > 4 && word.is_char_boundary(word.len() - 4) && word[word.len() - 4..].eq_ignore_ascii_case("_END");
+    let ends = word.len() > 4
+        && word.is_char_boundary(word.len() - 4)
+        && word[word.len() - 4..].eq_ignore_ascii_case("_END");
     let keyword = if ends { &word[..word.len() - 4] } else { word };
     let kind = MODULES.iter().copied().find(|kind| kind.keyword().eq_ignore_ascii_case(keyword))?;
     Some(if ends { Boundary::Close(Closing::Module) } else { Boundary::Open(SectionKind::Module(kind), "") })

@@ -76,7 +76,8 @@ impl<'a, L: Iterator<Item = (usize, SourceLine<'a>)>> Tree<'a, L> {
             if let Some((columns, kind)) = problem {
                 self.errors.push(SyntaxError { line: number as u32, columns, kind });
             }
-            LineTree { builder: &mut self.builder, text: source.text, tokens: &self.tokens, at: 0 }.line(&line);
+            LineTree { builder: &mut self.builder, text: source.text, tokens: &self.tokens, at: 0 }
+                .line(&line);
             if !source.end.is_empty() {
                 self.builder.token(raw(SyntaxKind::Newline), source.end);
             }

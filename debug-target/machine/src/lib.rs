@@ -1,1 +1,28 @@
-//! Placeholder while the workspace is laid out.
+//! The simulated machine behind a TECHNOL program: contactors, moving elements, encoders, turrets, keys,
+//! faults and the part-program blocks the control starts.
+//!
+//! `no_std` + `alloc` and deterministic: the machine is a function of the outputs it sees and of the calls made
+//! on it. One [`Plant::step`] is one millisecond.
+#![no_std]
+
+extern crate alloc;
+
+mod block;
+mod compile;
+pub mod config;
+mod contact;
+mod drive;
+mod encoder;
+mod fault;
+mod key;
+mod limit;
+mod plant;
+mod signal;
+mod turret;
+
+pub use block::{BlockMode, BlockStart};
+pub use compile::ConfigError;
+pub use drive::Outputs;
+pub use config::MachineConfig;
+pub use plant::{Plant, PlantEvent, UnknownName};
+pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};

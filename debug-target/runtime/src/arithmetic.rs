@@ -10,12 +10,7 @@ use crate::registers::{Registers, mask, sign_extend};
 
 /// AD, SU, MULB, DIVB, ORB, ANDB, XORB with an integer operand, sign-extended from `width`.
 #[inline]
-pub(crate) fn integer(
-    op: Arith,
-    regs: &mut Registers,
-    operand: i64,
-    width: Width,
-) -> Result<(), FaultKind> {
+pub(crate) fn integer(op: Arith, regs: &mut Registers, operand: i64, width: Width) -> Result<(), FaultKind> {
     let dr = regs.dr;
     match op {
         Arith::Add => regs.set_low(width, dr.wrapping_add(operand)),

@@ -78,10 +78,6 @@ pub(crate) fn message(
     call(program, ctx, procedure, Some(saved))
 }
 
-fn optional(
-    memory: &Memory,
-    value: Option<&(Source, Width)>,
-    bx: u32,
-) -> Result<Option<i64>, FaultKind> {
+fn optional(memory: &Memory, value: Option<&(Source, Width)>, bx: u32) -> Result<Option<i64>, FaultKind> {
     value.map(|(source, width)| operands::integer(memory, source, *width, bx)).transpose()
 }

@@ -57,16 +57,12 @@ impl Code {
         for pc in &program.statements {
             statement[*pc as usize] = true;
         }
-        let mut sequence_at = vec![NO_SEQUENCE; len];
-        for (number, sequence) in program.sequences.iter().enumerate() {
-            sequence_at[sequence.start as usize..=sequence.end as usize].fill(number as u16);
-        }
         let (fast, terms) = equation::fuse(&program.code);
         Code {
             fast,
             terms,
             statement,
-            sequence_at,
+            sequence_at: sequence_table(program),
             on_eset: program.procedure("_ON_ESET"),
             on_event: program.procedure("_ON_EVENT"),
             patches: Vec::new(),
@@ -103,6 +99,15 @@ impl Code {
         self.patches.push((at as Pc, self.fast[at]));
         self.fast[at] = entry;
     }
+}
+
+/// For each operation the sequence it belongs to. Sequences must lie in the code and not overlap.
+pub(crate) fn sequence_table(program: &Program) -> Vec<u16> {
+    let mut table = vec![NO_SEQUENCE; program.code.len()];
+    for (number, sequence) in program.sequences.iter().enumerate() {
+        table[sequence.start as usize..=sequence.end as usize].fill(number as u16);
+    }
+    table
 }
 
 /// Index of the module whose code contains `pc`.

@@ -17,7 +17,7 @@ pub(crate) fn from_bcd(bcd: u32) -> Option<u32> {
 pub(crate) fn to_bcd(mut value: u32) -> u32 {
     let mut bcd = 0;
     for shift in (0..32).step_by(4) {
-        bcd |= value % 10 << shift;
+        bcd |= (value % 10) << shift;
         value /= 10;
     }
     bcd

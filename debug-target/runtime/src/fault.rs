@@ -58,7 +58,10 @@ impl fmt::Display for FaultKind {
             FaultKind::UnexpectedReturn => f.write_str("end of a procedure reached without a call"),
             FaultKind::UnexpectedEnd => f.write_str("end of the module reached inside a procedure"),
             FaultKind::BadContinuation { point, .. } => {
-                write!(f, "the continuation cell of the mechanism holds {point}, which is no EX-type instruction")
+                write!(
+                    f,
+                    "the continuation cell of the mechanism holds {point}, which is no EX-type instruction"
+                )
             }
         }
     }

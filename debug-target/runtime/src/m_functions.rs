@@ -79,9 +79,7 @@ fn static_bits(m: u8) -> Vec<(BitRef, bool)> {
         3 | 4 | 5 | 19 => [(system::M03PI, m == 3), (system::M04PI, m == 4), (system::M19PI, m == 19)].into(),
         // M40 leaves the choice of the gear to the control: the bits stay until it makes one.
         41..=44 => (0..4).map(|gear| (gear_bit(gear), m == 41 + gear)).collect(),
-        7 | 8 | 9 | 17 => {
-            [(system::M07PI, matches!(m, 7 | 17)), (system::M08PI, matches!(m, 8 | 17))].into()
-        }
+        7 | 8 | 9 | 17 => [(system::M07PI, matches!(m, 7 | 17)), (system::M08PI, matches!(m, 8 | 17))].into(),
         50..=53 => [(system::M50PI, matches!(m, 50 | 52)), (system::M51PI, matches!(m, 51 | 52))].into(),
         _ => Vec::new(),
     }

@@ -46,13 +46,7 @@ impl Memory {
 
     /// Effective address of an access of `len` bytes.
     #[inline]
-    pub(crate) fn resolve(
-        &self,
-        addr: Addr,
-        indexed: bool,
-        bx: u32,
-        len: u32,
-    ) -> Result<usize, FaultKind> {
+    pub(crate) fn resolve(&self, addr: Addr, indexed: bool, bx: u32, len: u32) -> Result<usize, FaultKind> {
         if indexed { self.resolve_indexed(addr, bx, len) } else { Ok(addr as usize) }
     }
 
@@ -82,13 +76,7 @@ impl Memory {
 
     /// Integer cell from the low bits of `value`.
     #[inline]
-    pub(crate) fn write(
-        &mut self,
-        place: Place,
-        width: Width,
-        bx: u32,
-        value: i64,
-    ) -> Result<(), FaultKind> {
+    pub(crate) fn write(&mut self, place: Place, width: Width, bx: u32, value: i64) -> Result<(), FaultKind> {
         let at = self.resolve(place.addr, place.indexed, bx, width.bytes())?;
         self.write_at(at, width, value);
         Ok(())

@@ -8,12 +8,7 @@ use crate::registers::mask;
 
 /// Integer operand, sign-extended. A real constant has no place here (rejected at load).
 #[inline]
-pub(crate) fn integer(
-    memory: &Memory,
-    source: &Source,
-    width: Width,
-    bx: u32,
-) -> Result<i64, FaultKind> {
+pub(crate) fn integer(memory: &Memory, source: &Source, width: Width, bx: u32) -> Result<i64, FaultKind> {
     match source {
         Source::Mem(place) => memory.read(*place, width, bx),
         Source::Int(value) => Ok(*value),
@@ -33,12 +28,7 @@ pub(crate) fn real(memory: &Memory, source: &Source, bx: u32) -> Result<f64, Fau
 
 /// Operand as an unsigned number of `width` bits.
 #[inline]
-pub(crate) fn unsigned(
-    memory: &Memory,
-    source: &Source,
-    width: Width,
-    bx: u32,
-) -> Result<u64, FaultKind> {
+pub(crate) fn unsigned(memory: &Memory, source: &Source, width: Width, bx: u32) -> Result<u64, FaultKind> {
     Ok((integer(memory, source, width, bx)? & mask(width)) as u64)
 }
 

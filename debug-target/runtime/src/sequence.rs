@@ -4,9 +4,9 @@
 //! *Wait*: the EX-type instruction that made it wait; a TEX or TIM whose number is not there starts its
 //! counter anew. *Line*: the source line of the EX-type instruction executed last.
 
+use technol_image::Program;
 use technol_image::op::{BitRef, Op, Source};
 use technol_image::program::{Sequence, Timed};
-use technol_image::Program;
 
 use crate::code::Code;
 use crate::context::{Context, NO_SEQUENCE};

@@ -27,6 +27,10 @@ impl EventQueue {
         self.frames.len() >= QUEUE
     }
 
+    pub(crate) fn len(&self) -> usize {
+        self.frames.len()
+    }
+
     pub(crate) fn push(&mut self, parts: Vec<Vec<u8>>) {
         self.frames.extend(parts);
     }

@@ -271,7 +271,7 @@ pub enum StopReason {
 /// One level of the call stack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Frame {
-    /// Next operation (innermost) or the operation after the call.
+    /// Next operation (innermost) or the call in progress.
     pub pc: u32,
     /// Procedure.
     pub procedure: Option<u16>,
@@ -362,6 +362,12 @@ pub enum FaultKind {
     EndlessLoop,
     /// Procedures nested too deeply.
     CallDepth,
+    /// End of a procedure without a call.
+    UnexpectedReturn,
+    /// End of a module inside a procedure.
+    UnexpectedEnd,
+    /// The continuation cell of a sequence names no EX-type instruction.
+    BadContinuation,
 }
 
 /// What the target is doing.
@@ -394,6 +400,14 @@ pub enum PlcState {
     Halted,
     /// After a fault.
     Faulted,
+}
+
+impl PlcState {
+    /// Cycles are executed in this state.
+    #[must_use]
+    pub const fn is_cycling(self) -> bool {
+        matches!(self, PlcState::Starting | PlcState::Running | PlcState::Stopping)
+    }
 }
 
 /// What fits through this target.

@@ -120,6 +120,12 @@ impl TargetSession {
         self.session.as_ref().is_some_and(|s| s.open)
     }
 
+    /// Frames of events that wait to be sent or acknowledged.
+    #[must_use]
+    pub fn events_waiting(&self) -> usize {
+        self.events.len()
+    }
+
     /// Every byte of the announced download has arrived.
     #[must_use]
     pub fn download_complete(&self) -> bool {

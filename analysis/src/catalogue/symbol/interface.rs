@@ -3,6 +3,7 @@
 use technol_image::op::BitRef;
 use technol_image::system;
 
+use super::space::{axis_name, symbol};
 use super::{Direction, SystemKind, SystemSymbol, generated};
 use crate::catalogue::entry::{Bilingual, Prefix};
 use crate::catalogue::pattern::text;
@@ -335,6 +336,8 @@ const COMMAND_BYTES: &[(u32, &str, Bilingual)] = &[
     ),
 ];
 
+/// Axes in PB20.
+const BLOCK_AXES: u32 = 6;
 /// Groups of M functions.
 const M_GROUPS: u8 = 14;
 /// Gears that M41 to M44 select.
@@ -360,66 +363,81 @@ const EVENTS: &[(&str, i64, Bilingual)] = &[
 ];
 
 pub(super) fn list(symbols: &mut Vec<SystemSymbol>) {
-    symbols.extend(BITS.iter().map(|&(name, at, direction, chapter, summary)| SystemSymbol {
-        name,
-        kind: at_bit(at, 0),
-        direction,
-        summary,
-        chapter,
+    symbols.extend(BITS.iter().map(|&(name, at, direction, chapter, summary)| {
+        symbol(name, at_bit(at, 0), direction, chapter, summary)
     }));
-    symbols.extend((1..=GEARS).map(|gear| SystemSymbol {
-        name: generated(format!("M4{gear}PI")),
-        kind: at_bit(system::M41PI, gear - 1),
-        direction: CncToPlc,
-        summary: Bilingual {
-            en: generated(format!("Spindle gear {gear} (M4{gear}); stays until another gear is programmed.")),
-            cs: generated(format!(
-                "Převodový stupeň vřetene {gear} (M4{gear}); trvá do programování jiného."
-            )),
-        },
-        chapter: "8.2.9",
+    symbols.extend((1..=GEARS).map(|gear| {
+        symbol(
+            generated(format!("M4{gear}PI")),
+            at_bit(system::M41PI, gear - 1),
+            CncToPlc,
+            "8.2.9",
+            Bilingual {
+                en: generated(format!(
+                    "Spindle gear {gear} (M4{gear}); stays until another gear is programmed."
+                )),
+                cs: generated(format!(
+                    "Převodový stupeň vřetene {gear} (M4{gear}); trvá do programování jiného."
+                )),
+            },
+        )
     }));
-    symbols.extend((1..=M_GROUPS).map(|group| SystemSymbol {
-        name: generated(format!("ZMM{group}PI")),
-        kind: at_bit(system::ZMM1PI, group - 1),
-        direction: CncToPlc,
-        summary: Bilingual {
-            en: generated(format!("An M function of group {group} was programmed in the block.")),
-            cs: generated(format!("V bloku byla programována funkce M skupiny {group}.")),
-        },
-        chapter: "8.2.6",
+    symbols.extend((1..=M_GROUPS).map(|group| {
+        symbol(
+            generated(format!("ZMM{group}PI")),
+            at_bit(system::ZMM1PI, group - 1),
+            CncToPlc,
+            "8.2.6",
+            Bilingual {
+                en: generated(format!("An M function of group {group} was programmed in the block.")),
+                cs: generated(format!("V bloku byla programována funkce M skupiny {group}.")),
+            },
+        )
     }));
-    symbols.extend(COMMAND_BYTES.iter().map(|&(number, chapter, summary)| SystemSymbol {
-        name: generated(format!("PB{number:02}")),
-        kind: SystemKind::Cell { addr: system::PB00 + number, prefix: Prefix::Byte },
-        direction: CncToPlc,
-        summary,
-        chapter,
+    symbols.extend(COMMAND_BYTES.iter().map(|&(number, chapter, summary)| {
+        symbol(
+            generated(format!("PB{number:02}")),
+            SystemKind::Cell { addr: system::PB00 + number, prefix: Prefix::Byte },
+            CncToPlc,
+            chapter,
+            summary,
+        )
     }));
-    symbols.push(SystemSymbol {
-        name: "STATUS_RESTART",
-        kind: SystemKind::Cell { addr: system::STATUS_RESTART, prefix: Prefix::Byte },
-        direction: CncToPlc,
-        summary: text(
+    symbols.extend((0..BLOCK_AXES).map(|index| {
+        let axis = axis_name(index);
+        symbol(
+            generated(format!("PO_OS{axis}")),
+            SystemKind::Bit { addr: system::PB00 + 20, bit: index as u8 },
+            CncToPlc,
+            "8.1.7",
+            Bilingual {
+                en: generated(format!("Motion requested by the block: axis {axis}.")),
+                cs: generated(format!("Pohyb požadovaný blokem: osa {axis}.")),
+            },
+        )
+    }));
+    symbols.push(symbol(
+        "STATUS_RESTART",
+        SystemKind::Cell { addr: system::STATUS_RESTART, prefix: Prefix::Byte },
+        CncToPlc,
+        "8.1.22",
+        text(
             "Stage of the block at a restart: BLOCK_IDLE to BLOCK_DONE.",
             "Fáze bloku při opětovném startu: BLOCK_IDLE až BLOCK_DONE.",
         ),
-        chapter: "8.1.22",
-    });
-    symbols.push(SystemSymbol {
-        name: "CNT_NEXT_BLOCKS",
-        kind: SystemKind::Cell { addr: system::CNT_NEXT_BLOCKS, prefix: Prefix::Word },
-        direction: CncToPlc,
-        summary: text("Number of prepared blocks.", "Počet připravených bloků."),
-        chapter: "8.3.2",
-    });
-    symbols.extend(EVENTS.iter().map(|&(name, value, summary)| SystemSymbol {
-        name,
-        kind: SystemKind::Constant(value),
-        direction: CncToPlc,
-        summary,
-        chapter: "3.17",
-    }));
+    ));
+    symbols.push(symbol(
+        "CNT_NEXT_BLOCKS",
+        SystemKind::Cell { addr: system::CNT_NEXT_BLOCKS, prefix: Prefix::Word },
+        CncToPlc,
+        "8.3.2",
+        text("Number of prepared blocks.", "Počet připravených bloků."),
+    ));
+    symbols.extend(
+        EVENTS.iter().map(|&(name, value, summary)| {
+            symbol(name, SystemKind::Constant(value), CncToPlc, "3.17", summary)
+        }),
+    );
 }
 
 /// The bit `ahead` places after `first`, which may lie in the next byte.

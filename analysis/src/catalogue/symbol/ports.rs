@@ -3,6 +3,7 @@
 use technol_image::op::Addr;
 use technol_image::system;
 
+use super::space::symbol;
 use super::{Direction, SystemKind, SystemSymbol, generated};
 use crate::catalogue::entry::{Bilingual, Prefix};
 
@@ -110,16 +111,16 @@ pub(super) fn list(symbols: &mut Vec<SystemSymbol>) {
     for family in FAMILIES {
         symbols.extend((0..family.count).map(|index| {
             let number = family.first + index;
-            SystemSymbol {
-                name: generated(format!("{}{number}{}", family.before, family.after)),
-                kind: SystemKind::Cell { addr: family.addr + index, prefix: Prefix::Byte },
-                direction: family.direction,
-                summary: Bilingual {
+            symbol(
+                generated(format!("{}{number}{}", family.before, family.after)),
+                SystemKind::Cell { addr: family.addr + index, prefix: Prefix::Byte },
+                family.direction,
+                family.chapter,
+                Bilingual {
                     en: generated(format!("{} {number}.", family.summary.en)),
                     cs: generated(format!("{} {number}.", family.summary.cs)),
                 },
-                chapter: family.chapter,
-            }
+            )
         }));
     }
 }

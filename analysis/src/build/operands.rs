@@ -1,0 +1,120 @@
+//! Operands of the meaning turned into operands of operations; addresses become slots.
+
+use technol_image::op::{BitRef, Place, Source, Width};
+
+use super::section_code::{SectionCode, Slot};
+use crate::semantics::hir::{Address, Operand, SymbolKey};
+
+impl SectionCode {
+    fn slot(&mut self, slot: Slot) -> u32 {
+        self.slots.push(slot);
+        (self.slots.len() - 1) as u32
+    }
+
+    fn address(&mut self, address: &Address) -> Place {
+        let slot = Slot::Symbol { key: address.symbol.clone(), offset: address.offset };
+        Place { addr: self.slot(slot), indexed: address.indexed }
+    }
+
+    /// A new hidden state byte.
+    pub(super) fn state(&mut self) -> u32 {
+        let slot = self.slot(Slot::State(self.states));
+        self.states += 1;
+        slot
+    }
+
+    /// A new automatic counter.
+    fn counter(&mut self) -> Place {
+        let addr = self.slot(Slot::Counter(self.counters));
+        self.counters += 1;
+        Place { addr, indexed: false }
+    }
+
+    /// The number of a procedure or mechanism among the names of the section.
+    pub(super) fn name(&mut self, key: &SymbolKey) -> usize {
+        self.names.iter().position(|known| known == key).unwrap_or_else(|| {
+            self.names.push(key.clone());
+            self.names.len() - 1
+        })
+    }
+
+    /// A bit and whether it is negated. A mechanism stands for its activation bit; its number comes with the layout.
+    pub(super) fn bit(&mut self, operand: Option<&Operand>) -> Option<(BitRef, bool)> {
+        match operand? {
+            Operand::Bit { address, bit, negated } => {
+                let place = self.address(address);
+                Some((BitRef { addr: place.addr, bit: *bit, indexed: place.indexed }, *negated))
+            }
+            Operand::Mechanism(key) => {
+                let addr = self.slot(Slot::Symbol { key: key.clone(), offset: 0 });
+                Some((BitRef { addr, bit: 0, indexed: false }, false))
+            }
+            _ => None,
+        }
+    }
+
+    /// A bit that cannot be negated.
+    pub(super) fn plain_bit(&mut self, operand: Option<&Operand>) -> Option<BitRef> {
+        self.bit(operand).filter(|(_, negated)| !negated).map(|(bit, _)| bit)
+    }
+
+    /// A cell with its width and whether its value is negated.
+    pub(super) fn cell(&mut self, operand: Option<&Operand>) -> Option<(Place, Width, bool)> {
+        match operand? {
+            Operand::Cell { address, width, negated } => Some((self.address(address), *width, *negated)),
+            _ => None,
+        }
+    }
+
+    /// A cell whose value is not negated.
+    pub(super) fn plain_cell(&mut self, operand: Option<&Operand>) -> Option<(Place, Width)> {
+        self.cell(operand).filter(|(.., negated)| !negated).map(|(place, width, _)| (place, width))
+    }
+
+    /// A value: a cell or a constant.
+    pub(super) fn value(&mut self, operand: Option<&Operand>) -> Option<(Source, Width, bool)> {
+        match operand? {
+            Operand::Integer { value, width } => Some((Source::Int(*value), *width, false)),
+            Operand::Real(value) => Some((Source::Real(*value), Width::Real, false)),
+            cell => self.cell(Some(cell)).map(|(place, width, negated)| (Source::Mem(place), width, negated)),
+        }
+    }
+
+    /// A value that is not negated.
+    pub(super) fn plain_value(&mut self, operand: Option<&Operand>) -> Option<(Source, Width)> {
+        self.value(operand).filter(|(.., negated)| !negated).map(|(source, width, _)| (source, width))
+    }
+
+    /// A counter of TM, TEX or TIM; `None` as width for an automatic one, which is a WORD.
+    pub(super) fn counter_or_automatic(&mut self, operand: Option<&Operand>) -> Option<(Place, Option<Width>)> {
+        match operand {
+            None | Some(Operand::Skipped) => Some((self.counter(), None)),
+            cell => self.plain_cell(cell).map(|(place, width)| (place, Some(width))),
+        }
+    }
+
+    /// An address without access width and the length of what is declared there.
+    pub(super) fn area(&mut self, operand: Option<&Operand>) -> Option<(Place, i64, u32)> {
+        match operand? {
+            Operand::Area { address, len } => Some((self.address(address), address.offset, *len)),
+            Operand::Cell { address, width, negated: false } => {
+                Some((self.address(address), address.offset, width.bytes()))
+            }
+            Operand::Bit { address, negated: false, .. } => Some((self.address(address), address.offset, 1)),
+            _ => None,
+        }
+    }
+}
+
+/// The width a keyword operand asks for; `default` without one.
+pub(super) fn keyword_width(operand: Option<&Operand>, default: Width) -> Option<Width> {
+    match operand {
+        None | Some(Operand::Skipped) => Some(default),
+        Some(Operand::Keyword("BYTE")) => Some(Width::Byte),
+        Some(Operand::Keyword("WORD")) => Some(Width::Word),
+        Some(Operand::Keyword("DWRD")) => Some(Width::DWord),
+        Some(Operand::Keyword("QWRD")) => Some(Width::QWord),
+        Some(Operand::Keyword("REAL")) => Some(Width::Real),
+        Some(_) => None,
+    }
+}

@@ -1,0 +1,265 @@
+//! The catalogue as a whole: well-formed entries, whole families, addresses that do not collide.
+
+use std::collections::{HashMap, HashSet};
+
+use technol_image::system;
+
+use super::*;
+
+const CZECH: &str = "áčďéěíňóřšťúůýžÁČĎÉĚÍŇÓŘŠŤÚŮÝŽ";
+
+/// Chapters whose pages are complete.
+fn is_documented(entry: &Entry) -> bool {
+    entry.chapter.starts_with("3.")
+        || entry.chapter.starts_with("4.")
+        || entry.chapter.starts_with("5.")
+        || entry.name == "ESET"
+        || entry.name == "ESET1"
+}
+
+fn has_diacritics(text: &str) -> bool {
+    text.chars().any(|letter| CZECH.contains(letter))
+}
+
+#[test]
+fn names_are_unique_upper_case_and_short_enough_to_be_keys() {
+    let mut seen = HashSet::new();
+    for entry in entries() {
+        assert!(seen.insert(entry.name), "{} twice", entry.name);
+        assert_eq!(entry.name, entry.name.to_ascii_uppercase());
+        assert!(!entry.name.is_empty() && entry.name.len() <= 31, "{}", entry.name);
+    }
+}
+
+#[test]
+fn every_entry_has_chapter_and_summary_in_both_languages() {
+    for entry in entries() {
+        assert!(!entry.chapter.is_empty(), "{}", entry.name);
+        let Bilingual { en, cs } = entry.summary;
+        assert!(en.ends_with('.') && cs.ends_with('.'), "{}: {en} | {cs}", entry.name);
+        assert_ne!(en, cs, "{}", entry.name);
+        assert!(!has_diacritics(en), "{}: {en}", entry.name);
+    }
+}
+
+#[test]
+fn every_operand_has_help_and_only_the_last_is_repeatable() {
+    for entry in entries() {
+        for (index, operand) in entry.operands.iter().enumerate() {
+            assert!(!operand.help.en.is_empty() && !operand.help.cs.is_empty(), "{}", entry.name);
+            assert!(!operand.repeatable || index + 1 == entry.operands.len(), "{}", entry.name);
+        }
+        let optional = entry.operands.iter().position(|operand| operand.optional);
+        if let Some(first) = optional {
+            assert!(entry.operands[first..].iter().all(|operand| operand.optional), "{}", entry.name);
+        }
+    }
+}
+
+#[test]
+fn related_entries_exist_and_are_not_the_entry_itself() {
+    for entry in entries() {
+        for related in entry.related {
+            assert!(super::entry(related).is_some(), "{} names {related}", entry.name);
+            assert_ne!(*related, entry.name);
+        }
+    }
+}
+
+#[test]
+fn chapters_3_to_5_are_described_in_both_languages_with_examples() {
+    for entry in entries().filter(|entry| is_documented(entry)) {
+        let Bilingual { en, cs } = entry.description;
+        assert!(!en.is_empty() && !has_diacritics(en), "{}: {en}", entry.name);
+        assert!(has_diacritics(cs), "{}: {cs}", entry.name);
+        assert_eq!(
+            en.matches("(this implementation").count(),
+            cs.matches("(tato implementace").count(),
+            "{}: what is this implementation's choice must be marked in both languages",
+            entry.name
+        );
+        let only_known = !entry.executable && entry.chapter == "3.1";
+        assert!(only_known || !entry.examples.is_empty(), "{}", entry.name);
+        assert!(only_known || !entry.related.is_empty(), "{}", entry.name);
+    }
+}
+
+#[test]
+fn examples_use_the_entry_they_stand_at_and_only_known_mnemonics() {
+    for entry in entries() {
+        for example in entry.examples {
+            let upper = example.code.to_ascii_uppercase();
+            assert!(upper.contains(entry.name), "{}: {}", entry.name, example.code);
+            for line in example.code.lines() {
+                let code = line.rsplit(':').next().unwrap_or(line);
+                let mut words = code.split_whitespace();
+                if let Some(first) = words.next() {
+                    assert!(super::entry(first).is_some(), "{}: {line}", entry.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_build_lowers_is_what_the_chapters_promise() {
+    for entry in entries() {
+        let chapter = entry.chapter;
+        let lowered = match entry.name {
+            "CLI" | "STI" | "NOP" | "MOV" | "DEBUG" | "ON" | "OFF" | "ESET" | "ESET1" | "T_INCLUDE" => true,
+            _ => {
+                chapter != "3.1"
+                    && chapter != "3.18"
+                    && matches!(chapter.split('.').next(), Some("3" | "4" | "5"))
+            }
+        };
+        assert_eq!(entry.executable, lowered, "{} of {chapter}", entry.name);
+    }
+}
+
+#[test]
+fn terminal_instructions_are_those_of_the_ruling() {
+    let expected: HashSet<&str> = [
+        "WR", "JL0", "JL1", "STO0", "STO1", "FL1", "MOVR1", "MOVE1", "ESET1", "CONRD", "EX", "EX0", "EX1",
+        "BEX", "TEX0", "TEX1", "TIM",
+    ]
+    .into();
+    let found: HashSet<&str> =
+        entries().filter(|entry| entry.equation == Equation::Terminal).map(|entry| entry.name).collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn ex_type_instructions_stand_only_in_sequences() {
+    for entry in entries() {
+        assert_eq!(entry.ex_type, entry.place == Place::Sequence, "{}", entry.name);
+    }
+}
+
+#[test]
+fn look_up_ignores_case_and_finds_nothing_else() {
+    assert_eq!(entry("ldr").map(|entry| entry.name), Some("LDR"));
+    assert_eq!(entry("_on_eset").map(|entry| entry.name), Some("_ON_ESET"));
+    assert!(entry("LDRX").is_none());
+    assert!(entry("").is_none());
+    assert!(entry(&"A".repeat(1000)).is_none());
+    assert!(entry("ČÁRA").is_none());
+    assert_eq!(symbol("p1in").map(|symbol| symbol.name), Some("P1IN"));
+    assert_eq!(symbol("DWAXNCFEED").map(|symbol| symbol.spelling), Some("dwAxNcFeed"));
+    assert!(symbol("P0IN").is_none());
+    assert!(symbol("P96OUT").is_none());
+}
+
+#[test]
+fn prefixes_are_found_in_any_case_and_the_misspelling_is_told() {
+    for expected in Prefix::ALL {
+        let found = prefix(&expected.name().to_ascii_lowercase());
+        assert_eq!(found, Some(PrefixSpelling { prefix: expected, misspelled: false }));
+        assert!(entry(expected.name()).is_some(), "{}", expected.name());
+    }
+    assert_eq!(prefix("Cnts"), Some(PrefixSpelling { prefix: Prefix::Cnst, misspelled: true }));
+    assert_eq!(prefix("DWORD"), None);
+    assert!(is_keyword("nil") && is_keyword("BX") && is_keyword("cnts"));
+    assert!(!is_keyword("LDR") && !is_keyword("P1IN"));
+}
+
+#[test]
+fn families_of_ports_are_complete_and_at_their_places() {
+    for (before, first, count, after, base) in [
+        ("P", 1, 128, "IN", system::IN_PORTS),
+        ("P", 0, 96, "OUT", system::OUT_PORTS),
+        ("SETL_P", 1, 128, "IN", system::IN_FORCE_LOW),
+        ("SETH_P", 1, 128, "IN", system::IN_FORCE_HIGH),
+        ("SETL_P", 0, 96, "OUT", system::OUT_FORCE_LOW),
+        ("SETH_P", 0, 96, "OUT", system::OUT_FORCE_HIGH),
+        ("ERRLI_P", 0, 96, "OUT", system::OUT_SHORTED),
+    ] {
+        for index in 0..count {
+            let name = format!("{before}{}{after}", first + index);
+            let expected = SystemKind::Cell { addr: base + index, prefix: Prefix::Byte };
+            assert_eq!(symbol(&name).map(|symbol| symbol.kind), Some(expected), "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_block_interface_lies_where_the_supervisor_expects_it() {
+    let bit = |at: technol_image::op::BitRef| Some(SystemKind::Bit { addr: at.addr, bit: at.bit });
+    let kind = |name: &str| symbol(name).map(|symbol| symbol.kind);
+    assert_eq!(kind("PO_F"), bit(system::PO_F));
+    assert_eq!(kind("M41PI"), bit(system::M41PI));
+    assert_eq!(kind("M44PI"), Some(SystemKind::Bit { addr: system::M41PI.addr, bit: 6 }));
+    assert_eq!(kind("ZMM1PI"), bit(system::ZMM1PI));
+    assert_eq!(kind("ZMM9PI"), Some(SystemKind::Bit { addr: system::ZMM1PI.addr + 1, bit: 0 }));
+    assert_eq!(kind("ZMM14PI"), Some(SystemKind::Bit { addr: system::ZMM1PI.addr + 1, bit: 5 }));
+    assert_eq!(kind("ZMSHPI"), bit(system::ZMSHPI));
+    assert_eq!(kind("PB07"), Some(SystemKind::Cell { addr: system::PB00 + 7, prefix: Prefix::Byte }));
+    assert_eq!(kind("PLCEVENT_START_REQ"), Some(SystemKind::Constant(system::event::START_REQ)));
+}
+
+#[test]
+fn axis_families_have_every_axis() {
+    for (before, after, axes) in [("MP", "PI", 16), ("VAZBA_", "", 16), ("KH", "0", 16), ("EXM_", "1", 6)] {
+        for axis in ["X", "Y", "Z"].map(str::to_owned).into_iter().chain((4..=axes).map(|n| n.to_string())) {
+            let name = format!("{before}{axis}{after}");
+            assert!(
+                matches!(symbol(&name), Some(SystemSymbol { kind: SystemKind::Bit { .. }, .. })),
+                "{name}"
+            );
+        }
+    }
+    assert!(symbol("EXM_71").is_none());
+}
+
+#[test]
+fn no_two_symbols_share_memory_unless_one_is_a_bit_of_the_other() {
+    let mut owners: HashMap<u32, &str> = HashMap::new();
+    let mut bits: HashMap<(u32, u8), &str> = HashMap::new();
+    for symbol in symbols() {
+        let (addr, len) = match symbol.kind {
+            SystemKind::Bit { addr, bit } => {
+                assert!(bit < 8, "{}", symbol.name);
+                assert!(addr < system::LEN, "{}", symbol.name);
+                let other = bits.insert((addr, bit), symbol.name);
+                assert_eq!(other, None, "{} lies on another bit", symbol.name);
+                continue;
+            }
+            SystemKind::Cell { addr, prefix } => (addr, prefix.bytes()),
+            SystemKind::Array { addr, element, len } => (addr, element.bytes() * len),
+            SystemKind::Area { addr, len } => (addr, len),
+            SystemKind::FormalBit { bit } => {
+                assert!(bit < 8, "{}", symbol.name);
+                continue;
+            }
+            SystemKind::Constant(_) => continue,
+        };
+        assert!(len > 0 && addr + len <= system::LEN, "{}", symbol.name);
+        if symbol.name == "OTACKY_VR" {
+            continue; // another name of SIM_SPEED_PT
+        }
+        for byte in addr..addr + len {
+            let other = owners.insert(byte, symbol.name);
+            assert_eq!(other, None, "{} lies on another symbol", symbol.name);
+        }
+    }
+}
+
+#[test]
+fn symbol_names_are_unique_upper_case_and_not_instructions() {
+    let mut seen = HashSet::new();
+    for symbol in symbols() {
+        assert!(seen.insert(symbol.name), "{} twice", symbol.name);
+        assert_eq!(symbol.name, symbol.spelling.to_ascii_uppercase());
+        assert!(symbol.name.len() <= 31, "{}", symbol.name);
+        assert!(entry(symbol.name).is_none(), "{}", symbol.name);
+        assert!(!symbol.chapter.is_empty(), "{}", symbol.name);
+        assert!(symbol.summary.en.ends_with('.') && symbol.summary.cs.ends_with('.'), "{}", symbol.name);
+        assert_ne!(symbol.summary.en, symbol.summary.cs, "{}", symbol.name);
+    }
+}
+
+#[test]
+fn backed_up_memory_has_10000_bytes() {
+    let kind = symbol("PLC_MEM_BACKUP").map(|symbol| symbol.kind);
+    assert!(matches!(kind, Some(SystemKind::Area { len: 10_000, .. })), "{kind:?}");
+}

@@ -1,0 +1,22 @@
+//! What the target cannot run.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0801 not-executable.
+pub static NOT_EXECUTABLE: Rule = Rule {
+    code: "T0801",
+    name: "not-executable",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The instruction is known to the editor but this version's target cannot run it. `check` accepts \
+        it, `build` refuses it.",
+};
+
+/// T0802 too-large.
+pub static TOO_LARGE: Rule = Rule {
+    code: "T0802",
+    name: "too-large",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The program or its data are larger than an image can hold.",
+};

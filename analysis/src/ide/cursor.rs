@@ -1,0 +1,227 @@
+//! What stands at a position: the section, the line, the word, and what the word means.
+
+use std::sync::Arc;
+
+use crate::catalogue::{self, Entry, EntryKind};
+use crate::database::{self, Db, NameRef, Project, Section, SourceFile};
+use crate::location::{Location, Position, Span};
+use crate::semantics::declarations::{IncludeLine, What};
+use crate::semantics::layout::line_key;
+use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::reference::Referent;
+use crate::semantics::scope::Symbol;
+use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name};
+
+/// A position with what surrounds it.
+pub(super) struct Cursor<'db> {
+    pub(super) db: &'db dyn Db,
+    pub(super) project: Project,
+    pub(super) section: Section<'db>,
+    /// 0-based own line of the section.
+    pub(super) own: u32,
+    pub(super) line: &'db Line,
+    /// As asked.
+    pub(super) at: Position,
+}
+
+/// A word at a position, and its part in the line.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Word<'db> {
+    /// Before the colon.
+    Label(&'db Name),
+    /// Mnemonic or keyword.
+    Operation(&'db Name),
+    /// In an operand.
+    Operand(&'db Name),
+    /// A T_INCLUDE's file.
+    Include(&'db IncludeLine),
+}
+
+/// What a word means.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    /// An instruction, keyword or prefix.
+    Entry(&'static Entry),
+    /// A symbol of the project or of the system.
+    Symbol(SymbolKey),
+    /// A label of the section.
+    Label(Arc<str>),
+    /// An included file, by its project path.
+    File(String),
+}
+
+impl<'db> Cursor<'db> {
+    /// `None` past the last line.
+    pub(super) fn at(db: &'db dyn Db, project: Project, file: SourceFile, at: Position) -> Option<Cursor<'db>> {
+        let owner = |section: &Section<'db>| Some((*section, section.lines(db).binary_search(&at.line).ok()?));
+        let (section, own) = database::sections(db, file).iter().find_map(owner)?;
+        let line = database::section_lines(db, section).lines.get(own)?;
+        Some(Cursor { db, project, section, own: own as u32, line, at })
+    }
+
+    /// The word that contains or touches the position; the one to the right where two touch.
+    pub(super) fn word(&self) -> Option<Word<'db>> {
+        let column = self.at.column;
+        let touches = |columns: &Columns| columns.start <= column && column <= columns.end;
+        let includes = &database::section_declarations(self.db, self.section).includes;
+        if let Some(include) = includes.iter().find(|i| i.line == self.own && touches(&i.columns)) {
+            return Some(Word::Include(include));
+        }
+        let label = self.line.label.as_ref().map(Word::Label);
+        let operation = self.line.operation.as_ref().map(Word::Operation);
+        let mut words: Vec<Word<'db>> = label.into_iter().chain(operation).collect();
+        for operand in &self.line.operands {
+            names_of(operand, &mut |name| words.push(Word::Operand(name)));
+        }
+        words.into_iter().rev().find(|word| touches(word.columns()))
+    }
+
+    /// What a word means; `None` when nobody knows.
+    pub(super) fn meaning(&self, word: Word<'db>) -> Option<Meaning> {
+        match word {
+            Word::Include(include) => self.included(include),
+            Word::Label(name) => self.named(name),
+            Word::Operation(name) => self.operation(name).or_else(|| self.named(name)),
+            Word::Operand(name) => self.named(name).or_else(|| operand_word(name)).or_else(|| self.looked_up(name)),
+        }
+    }
+
+    /// Where columns of the line are in the file.
+    pub(super) fn span(&self, columns: &Columns) -> Span {
+        Span::in_line(self.at.line, columns.start, columns.end)
+    }
+
+    /// The file whose local names are visible here.
+    pub(super) fn local_file(&self) -> Option<u8> {
+        local_file(self.db, self.project, self.section)
+    }
+
+    fn operation(&self, name: &Name) -> Option<Meaning> {
+        let entry = catalogue::entry(&name.text)?;
+        let stands_alone =
+            !matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure);
+        stands_alone.then_some(Meaning::Entry(entry))
+    }
+
+    /// What the analysis says, else the declaration at this place.
+    fn named(&self, name: &Name) -> Option<Meaning> {
+        let references = &database::section_analysis(self.db, self.project, self.section).references;
+        let from = references.partition_point(|r| r.line < self.own);
+        let here = references[from..].iter().take_while(|r| r.line == self.own);
+        if let Some(reference) = here.into_iter().find(|r| r.columns == name.columns) {
+            return Some(match &reference.referent {
+                Referent::Symbol(key) => Meaning::Symbol(key.clone()),
+                Referent::Label(key) => Meaning::Label(key.clone()),
+            });
+        }
+        let declarations = database::section_declarations(self.db, self.section);
+        let declares = |d: &&crate::semantics::declarations::Declared| d.line == self.own && d.name.columns == name.columns;
+        let declared = declarations.names.iter().find(declares)?;
+        if declared.what == What::Label {
+            return Some(Meaning::Label(Arc::from(name.key())));
+        }
+        self.symbol(name).map(|symbol| Meaning::Symbol(symbol.key.clone()))
+    }
+
+    /// Names in lines the analysis does not look at, for instance broken ones and macros.
+    fn looked_up(&self, name: &Name) -> Option<Meaning> {
+        if let Some(symbol) = self.symbol(name) {
+            return Some(Meaning::Symbol(symbol.key.clone()));
+        }
+        let key = name.key();
+        let declarations = database::section_declarations(self.db, self.section);
+        let label = declarations.names.iter().any(|d| d.what == What::Label && d.name.key() == key);
+        label.then(|| Meaning::Label(Arc::from(key)))
+    }
+
+    fn symbol(&self, name: &Name) -> Option<&'db Symbol> {
+        let name = NameRef::new(self.db, Arc::from(name.key()), self.local_file());
+        database::lookup(self.db, self.project, name).as_ref()
+    }
+
+    fn included(&self, include: &IncludeLine) -> Option<Meaning> {
+        let from = self.section.file(self.db).path(self.db).clone();
+        match self.project.includes(self.db).get(&(from, include.name.clone()))? {
+            crate::project::IncludeTarget::File(path) => Some(Meaning::File(path.clone())),
+            _ => None,
+        }
+    }
+}
+
+impl<'db> Word<'db> {
+    /// Its columns.
+    pub(super) fn columns(&self) -> &'db Columns {
+        match self {
+            Word::Label(name) | Word::Operation(name) | Word::Operand(name) => &name.columns,
+            Word::Include(include) => &include.columns,
+        }
+    }
+}
+
+/// Prefixes, keywords and reserved procedure names.
+fn operand_word(name: &Name) -> Option<Meaning> {
+    if let Some(spelling) = catalogue::prefix(&name.text) {
+        return catalogue::entry(spelling.prefix.name()).map(Meaning::Entry);
+    }
+    let entry = catalogue::entry(&name.text)?;
+    matches!(entry.kind, EntryKind::Keyword | EntryKind::EventProcedure).then_some(Meaning::Entry(entry))
+}
+
+/// Calls `found` for every name of an operand, in order of the text.
+fn names_of<'a>(expr: &'a Expr, found: &mut impl FnMut(&'a Name)) {
+    match &expr.kind {
+        ExprKind::Name(name) => found(name),
+        ExprKind::Sign { operand: inner, .. } | ExprKind::Parens(inner) => names_of(inner, found),
+        ExprKind::Sum { left, right, .. } | ExprKind::Dot { left, right } => {
+            names_of(left, found);
+            names_of(right, found);
+        }
+        ExprKind::Index { base, index } => {
+            names_of(base, found);
+            names_of(index, found);
+        }
+        _ => {}
+    }
+}
+
+/// The file whose local names are visible in a section: its own, or the one that includes it.
+pub(super) fn local_file(db: &dyn Db, project: Project, section: Section<'_>) -> Option<u8> {
+    section.file(db).order(db).or_else(|| {
+        database::parts(db, project).parts.iter().find(|part| part.section == section).map(|part| part.file)
+    })
+}
+
+/// Where columns of an own line of a section are.
+pub(super) fn location(db: &dyn Db, section: Section<'_>, own: u32, columns: &Columns) -> Option<Location> {
+    let line = *section.lines(db).get(own as usize)?;
+    let file = section.file(db).path(db).clone();
+    Some(Location { file, span: Span::in_line(line, columns.start, columns.end) })
+}
+
+/// Where a symbol is declared; the cell `name_LINE` is declared with its mechanism.
+pub(super) fn sites<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -> &'db [database::Site<'db>] {
+    let sites = database::sites(db, project);
+    if let Some(found) = sites.get(key) {
+        return found;
+    }
+    line_of(db, project, key).and_then(|mechanism| sites.get(mechanism)).map_or(&[], Vec::as_slice)
+}
+
+/// The mechanism whose `name_LINE` cell a symbol is.
+pub(super) fn line_of<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -> Option<&'db SymbolKey> {
+    if key.scope != SymbolScope::Global {
+        return None;
+    }
+    let mechanisms = &database::scope(db, project).mechanisms;
+    let is_line = |mechanism: &str| line_key(mechanism) == *key.name;
+    mechanisms.iter().map(|routine| &routine.key).find(|mechanism| is_line(&mechanism.name))
+}
+
+/// A symbol by its key.
+pub(super) fn symbol<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -> Option<&'db Symbol> {
+    let file = match key.scope {
+        SymbolScope::File(file) => Some(file),
+        SymbolScope::Global | SymbolScope::System => None,
+    };
+    database::lookup(db, project, NameRef::new(db, key.name.clone(), file)).as_ref()
+}

@@ -1,0 +1,127 @@
+//! Outline of a file: modules with their mechanisms and procedures, data with what they declare.
+
+use super::SymbolTag;
+use crate::database::{self, Db, Section, SourceFile};
+use crate::location::{Position, Span};
+use crate::semantics::declarations::{Declared, What};
+use crate::syntax::section::SectionKind;
+
+/// An entry of the outline.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DocumentSymbol {
+    /// Name as written.
+    pub name: String,
+    /// A few words more, or nothing.
+    pub detail: String,
+    /// What it is.
+    pub kind: SymbolTag,
+    /// All of it.
+    pub span: Span,
+    /// Its name.
+    pub selection: Span,
+    /// What stands in it.
+    pub children: Vec<DocumentSymbol>,
+}
+
+/// The outline of a file, in order of the text.
+#[must_use]
+pub fn document_symbols(db: &dyn Db, file: SourceFile) -> Vec<DocumentSymbol> {
+    database::sections(db, file).first().map_or_else(Vec::new, |root| contents(db, *root))
+}
+
+/// Declarations and nested sections of a section.
+fn contents(db: &dyn Db, section: Section<'_>) -> Vec<DocumentSymbol> {
+    let mut found = declared(db, section);
+    found.extend(section.children(db).iter().filter_map(|(child, _)| outline(db, *child)));
+    found.sort_by_key(|symbol| symbol.span.start);
+    found
+}
+
+fn outline(db: &dyn Db, section: Section<'_>) -> Option<DocumentSymbol> {
+    let lines = section.lines(db);
+    let first = database::section_lines(db, section).lines.first()?;
+    let operation = first.operation.as_ref()?;
+    let (kind, selection) = match section.kind(db) {
+        SectionKind::File => return None,
+        SectionKind::Data | SectionKind::DataLocal => (SymbolTag::Data, operation),
+        SectionKind::Module(_) => (SymbolTag::Module, operation),
+        named => {
+            let name = database::section_declarations(db, section).names.first().filter(|d| d.what != What::Label);
+            let kind = match named {
+                SectionKind::Mechanism => SymbolTag::Mechanism,
+                SectionKind::Procedure => SymbolTag::Procedure,
+                _ => SymbolTag::Macro,
+            };
+            (kind, name.map_or(operation, |declared| &declared.name))
+        }
+    };
+    let children = contents(db, section);
+    let start = Position { line: *lines.first()?, column: 0 };
+    let last_own = lines.len() - 1;
+    let last = Position { line: lines[last_own], column: database::section_lines(db, section).lines[last_own].len };
+    let end = children.iter().map(|child| child.span.end).fold(last, Position::max);
+    Some(DocumentSymbol {
+        name: selection.text.clone(),
+        detail: String::new(),
+        kind,
+        span: Span { start, end },
+        selection: Span::in_line(start.line, selection.columns.start, selection.columns.end),
+        children,
+    })
+}
+
+/// What the own lines of a section declare; the bits of a named byte stand in it.
+fn declared(db: &dyn Db, section: Section<'_>) -> Vec<DocumentSymbol> {
+    let mut found: Vec<DocumentSymbol> = Vec::new();
+    // Where in `found` the cell of a piece of storage stands.
+    let mut cell: Option<(u32, usize)> = None;
+    for name in &database::section_declarations(db, section).names {
+        if matches!(name.what, What::Label | What::Mechanism | What::Procedure) {
+            continue;
+        }
+        if matches!(name.what, What::Macro) && section.kind(db) == SectionKind::Macro {
+            continue;
+        }
+        let Some(symbol) = entry(db, section, name) else { continue };
+        match name.what {
+            What::Bit { storage, .. } if cell.is_some_and(|(of, _)| of == storage) => {
+                if let Some(parent) = cell.and_then(|(_, at)| found.get_mut(at)) {
+                    parent.span.end = parent.span.end.max(symbol.span.end);
+                    parent.children.push(symbol);
+                }
+            }
+            What::Cell { storage } => {
+                cell = Some((storage, found.len()));
+                found.push(symbol);
+            }
+            _ => found.push(symbol),
+        }
+    }
+    found
+}
+
+fn entry(db: &dyn Db, section: Section<'_>, declared: &Declared) -> Option<DocumentSymbol> {
+    let line = *section.lines(db).get(declared.line as usize)?;
+    let own = database::section_lines(db, section).lines.get(declared.line as usize)?;
+    let columns = &declared.name.columns;
+    // A name before a colon stands for its whole line, a bit only for itself.
+    let whole = own.label.as_ref().is_some_and(|label| label.columns == *columns);
+    let end = if whole { own.len } else { columns.end };
+    Some(DocumentSymbol {
+        name: declared.name.text.clone(),
+        detail: detail(declared),
+        kind: SymbolTag::of(&declared.what)?,
+        span: Span::in_line(line, columns.start, end),
+        selection: Span::in_line(line, columns.start, columns.end),
+        children: Vec::new(),
+    })
+}
+
+fn detail(declared: &Declared) -> String {
+    match &declared.what {
+        What::Bit { bit, .. } => format!("d{bit}"),
+        What::Text { len, .. } => len.to_string(),
+        What::Constant(Some(value)) => value.to_string(),
+        _ => String::new(),
+    }
+}

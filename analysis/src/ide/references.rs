@@ -1,0 +1,84 @@
+//! Where a name is used, and how.
+
+use std::collections::BTreeMap;
+
+use super::cursor::{Cursor, Meaning};
+use super::{cursor, definition};
+use crate::database::{self, Db, Project, Section, SourceFile};
+use crate::location::{Location, Position};
+use crate::semantics::reference::{ReferenceAccess, Referent};
+
+/// A use of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reference {
+    /// Where.
+    pub location: Location,
+    /// What is done with it.
+    pub access: ReferenceAccess,
+}
+
+/// Uses of what stands at a position, in order of files and text.
+#[must_use]
+pub fn references(
+    db: &dyn Db,
+    project: Project,
+    file: SourceFile,
+    at: Position,
+    include_declaration: bool,
+) -> Vec<Reference> {
+    let Some(here) = Cursor::at(db, project, file, at) else { return Vec::new() };
+    let mut found = BTreeMap::new();
+    match here.word().and_then(|word| here.meaning(word)) {
+        Some(Meaning::Symbol(key)) => {
+            let referent = Referent::Symbol(key.clone());
+            for section in sections(db, project) {
+                uses(db, project, section, &referent, &mut found);
+            }
+            declare(definition::symbol(db, project, &key), &mut found);
+        }
+        Some(Meaning::Label(key)) => {
+            uses(db, project, here.section, &Referent::Label(key.clone()), &mut found);
+            declare(definition::label(db, here.section, &key), &mut found);
+        }
+        Some(Meaning::File(_) | Meaning::Entry(_)) | None => {}
+    }
+    found.retain(|_, access| include_declaration || *access != ReferenceAccess::Declare);
+    let order = file_order(db, project);
+    let mut list: Vec<_> = found.into_iter().map(|(location, access)| Reference { location, access }).collect();
+    list.sort_by_key(|r| order.get(r.location.file.as_str()).copied().unwrap_or(usize::MAX));
+    list
+}
+
+fn uses(
+    db: &dyn Db,
+    project: Project,
+    section: Section<'_>,
+    referent: &Referent,
+    found: &mut BTreeMap<Location, ReferenceAccess>,
+) {
+    for reference in &database::section_analysis(db, project, section).references {
+        if reference.referent == *referent
+            && let Some(location) = cursor::location(db, section, reference.line, &reference.columns)
+        {
+            found.entry(location).or_insert(reference.access);
+        }
+    }
+}
+
+/// A declaration is one, whatever the analysis of its line says about it.
+fn declare(locations: Vec<Location>, found: &mut BTreeMap<Location, ReferenceAccess>) {
+    found.extend(locations.into_iter().map(|location| (location, ReferenceAccess::Declare)));
+}
+
+fn sections<'db>(db: &'db dyn Db, project: Project) -> impl Iterator<Item = Section<'db>> {
+    files(db, project).flat_map(move |file| database::sections(db, file).iter().copied())
+}
+
+/// All texts: program files in order of execution, then included ones.
+pub(super) fn files(db: &dyn Db, project: Project) -> impl Iterator<Item = SourceFile> {
+    project.files(db).iter().chain(project.included(db)).copied()
+}
+
+fn file_order(db: &dyn Db, project: Project) -> BTreeMap<&str, usize> {
+    files(db, project).enumerate().map(|(order, file)| (file.path(db).as_str(), order)).collect()
+}

@@ -1,0 +1,189 @@
+//! The shape of an operand, before names are looked up: sign, prefix, terms of the address, bit.
+
+use crate::catalogue::{self, Prefix};
+use crate::syntax::ast::{Columns, Expr, ExprKind, Name, Number};
+
+/// An operand taken apart: `[-][PREFIX.]term{+term}[.bit]`.
+#[derive(Debug, Default)]
+pub(super) struct Shape<'a> {
+    /// Sign before everything: negative, where.
+    pub(super) sign: Option<(bool, Columns)>,
+    /// Type prefix.
+    pub(super) prefix: Option<PrefixUse>,
+    /// What is added up.
+    pub(super) terms: Vec<Term<'a>>,
+    /// Name behind the last dot.
+    pub(super) bit: Option<&'a Name>,
+}
+
+/// A prefix in the text.
+#[derive(Clone, Debug)]
+pub(super) struct PrefixUse {
+    pub(super) prefix: Prefix,
+    /// Written `CNTS`.
+    pub(super) misspelled: bool,
+    pub(super) columns: Columns,
+}
+
+/// A term of a sum.
+#[derive(Debug)]
+pub(super) struct Term<'a> {
+    /// It is subtracted.
+    pub(super) minus: bool,
+    pub(super) kind: TermKind<'a>,
+    pub(super) columns: Columns,
+}
+
+#[derive(Debug)]
+pub(super) enum TermKind<'a> {
+    Name(&'a Name),
+    /// `name[index]`.
+    Indexed(&'a Name, &'a Expr),
+    Integer(i64),
+    Real(f64),
+    Text(&'a str),
+    Dollar,
+}
+
+/// Why an operand has no such shape.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Misshape {
+    /// The parser reported it.
+    Reported,
+    /// This, here.
+    Form(Columns, &'static str),
+}
+
+impl<'a> Shape<'a> {
+    /// Takes an operand apart.
+    pub(super) fn of(expr: &'a Expr) -> Result<Shape<'a>, Misshape> {
+        let mut shape = Shape::default();
+        shape.take(expr, false, false)?;
+        Ok(shape)
+    }
+
+    fn take(&mut self, expr: &'a Expr, minus: bool, inside: bool) -> Result<(), Misshape> {
+        let at = || expr.columns.clone();
+        match &expr.kind {
+            ExprKind::Error => Err(Misshape::Reported),
+            ExprKind::Missing | ExprKind::Dash => Err(Misshape::Form(at(), "an operand is needed here")),
+            ExprKind::Sign { negative, operand } => {
+                let outermost = self.terms.is_empty() && self.prefix.is_none() && !inside;
+                if !outermost {
+                    return self.take(operand, minus != *negative, inside);
+                }
+                if self.sign.is_some() {
+                    return Err(Misshape::Form(at(), "two signs follow each other"));
+                }
+                self.sign = Some((*negative, expr.columns.start..operand.columns.start));
+                self.take(operand, minus, inside)
+            }
+            ExprKind::Sum { minus: subtract, left, right } => {
+                self.take(left, minus, inside)?;
+                self.take(right, minus != *subtract, inside)
+            }
+            ExprKind::Parens(inner) => self.take(inner, minus, true),
+            ExprKind::Dot { left, right } => self.dot(expr, left, right, minus, inside),
+            ExprKind::Index { base, index } => match &base.kind {
+                ExprKind::Name(name) => {
+                    self.term(expr, minus, TermKind::Indexed(name, index));
+                    Ok(())
+                }
+                _ => Err(Misshape::Form(at(), "only a name can be indexed")),
+            },
+            ExprKind::Name(name) => {
+                self.term(expr, minus, TermKind::Name(name));
+                Ok(())
+            }
+            ExprKind::Number(Number::Integer(value)) => {
+                self.term(expr, minus, TermKind::Integer(*value));
+                Ok(())
+            }
+            ExprKind::Number(Number::Real(value)) => {
+                self.term(expr, minus, TermKind::Real(*value));
+                Ok(())
+            }
+            ExprKind::Text(text) => {
+                self.term(expr, minus, TermKind::Text(text));
+                Ok(())
+            }
+            ExprKind::Dollar => {
+                self.term(expr, minus, TermKind::Dollar);
+                Ok(())
+            }
+        }
+    }
+
+    fn dot(
+        &mut self,
+        expr: &'a Expr,
+        left: &'a Expr,
+        right: &'a Expr,
+        minus: bool,
+        inside: bool,
+    ) -> Result<(), Misshape> {
+        if let ExprKind::Name(name) = &left.kind {
+            if let Some(spelling) = catalogue::prefix(&name.text) {
+                if self.prefix.is_some() || !self.terms.is_empty() {
+                    return Err(Misshape::Form(name.columns.clone(), "a type prefix stands once, before the operand"));
+                }
+                self.prefix = Some(PrefixUse {
+                    prefix: spelling.prefix,
+                    misspelled: spelling.misspelled,
+                    columns: name.columns.clone(),
+                });
+                return self.take(right, minus, inside);
+            }
+        }
+        self.take(left, minus, inside)?;
+        match &right.kind {
+            ExprKind::Name(name) if self.bit.is_none() => {
+                self.bit = Some(name);
+                Ok(())
+            }
+            ExprKind::Error => Err(Misshape::Reported),
+            ExprKind::Name(_) => Err(Misshape::Form(expr.columns.clone(), "one bit name can follow an address")),
+            _ => Err(Misshape::Form(right.columns.clone(), "a bit name is needed behind the dot")),
+        }
+    }
+
+    fn term(&mut self, expr: &Expr, minus: bool, kind: TermKind<'a>) {
+        self.terms.push(Term { minus, kind, columns: expr.columns.clone() });
+    }
+
+    /// Whether a `-` stands before everything.
+    pub(super) fn negated(&self) -> bool {
+        self.sign.as_ref().is_some_and(|(negative, _)| *negative)
+    }
+
+    /// The operand is one name and nothing else.
+    pub(super) fn plain_name(&self) -> Option<&'a Name> {
+        match self.terms.as_slice() {
+            [Term { minus: false, kind: TermKind::Name(name), .. }]
+                if self.prefix.is_none() && self.bit.is_none() =>
+            {
+                Some(name)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The expression without a type prefix before it.
+pub(super) fn without_prefix(expr: &Expr) -> Expr {
+    let kind = match &expr.kind {
+        ExprKind::Dot { left, right } if is_prefix(left) => return (**right).clone(),
+        ExprKind::Sign { negative, operand } => {
+            ExprKind::Sign { negative: *negative, operand: Box::new(without_prefix(operand)) }
+        }
+        ExprKind::Sum { minus, left, right } => {
+            ExprKind::Sum { minus: *minus, left: Box::new(without_prefix(left)), right: right.clone() }
+        }
+        other => other.clone(),
+    };
+    Expr { kind, columns: expr.columns.clone() }
+}
+
+fn is_prefix(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if catalogue::prefix(&name.text).is_some())
+}

@@ -1,0 +1,449 @@
+//! The code of one section: walks its lines from top to bottom, looks up operations, checks their place, resolves
+//! their operands and hands them to equations and control flow.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::analysis::{Overrun, SectionAnalysis};
+use super::equations::Equations;
+use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
+use super::reference::{Reference, ReferenceAccess, Referent};
+use super::scope::{Symbol, SymbolKind};
+use super::{flow, operands, place, suggest};
+use crate::catalogue::{self, Entry, EntryKind};
+use crate::database::{self, Db, NameRef, Project, Section};
+use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
+use crate::diagnostics::{Finding, Rule, Severity};
+use crate::syntax::ast::{Columns, Line, Name};
+use crate::syntax::section::SectionKind;
+
+/// Analyses a section.
+pub(crate) fn analyse(db: &dyn Db, project: Project, section: Section<'_>) -> SectionAnalysis {
+    let included = section.file(db).order(db).is_none();
+    let kind = section.kind(db);
+    let mut reader = CodeReader {
+        db,
+        project,
+        section,
+        place: place::Context::of(db, project, section, included),
+        line: 0,
+        clean: true,
+        out: SectionAnalysis { body: Body { statements: Vec::new(), complete: true }, ..SectionAnalysis::default() },
+        labels: BTreeMap::new(),
+        waiting: Vec::new(),
+        equations: Equations::default(),
+        unreadable: false,
+        misplaced: false,
+        end: if section.closed(db) { section.lines_len(db).saturating_sub(1) } else { u32::MAX },
+    };
+    if kind == SectionKind::Macro {
+        // Its body is text until it is expanded.
+        return reader.out;
+    }
+    reader.read();
+    reader.finish()
+}
+
+/// State of the walk.
+pub(super) struct CodeReader<'db> {
+    pub(super) db: &'db dyn Db,
+    pub(super) project: Project,
+    pub(super) section: Section<'db>,
+    pub(super) place: place::Context,
+    /// Current own line.
+    pub(super) line: u32,
+    /// Nothing was reported on the current line.
+    pub(super) clean: bool,
+    pub(super) out: SectionAnalysis,
+    /// Labels of the section: where they stand.
+    labels: BTreeMap<Arc<str>, (u32, Columns)>,
+    /// Labels that wait for their statement.
+    waiting: Vec<Arc<str>>,
+    equations: Equations,
+    /// A line could not be read: what flows through the section is a guess.
+    unreadable: bool,
+    /// The line before was reported as misplaced.
+    misplaced: bool,
+    /// Own line that closes the section.
+    end: u32,
+}
+
+impl<'db> CodeReader<'db> {
+    fn read(&mut self) {
+        let parsed = database::section_lines(self.db, self.section);
+        let errors = parsed.error_lines();
+        let mut children = self.section.children(self.db).iter().peekable();
+        self.collect_labels(&parsed.lines);
+        for (number, line) in parsed.lines.iter().enumerate() {
+            self.line = number as u32;
+            while let Some((child, _)) = children.next_if(|(_, before)| *before <= self.line) {
+                self.nested(*child);
+            }
+            self.clean = true;
+            let broken = errors.binary_search(&self.line).is_ok();
+            self.one(line, broken);
+        }
+        self.line = parsed.lines.len() as u32;
+        for (child, _) in children {
+            self.nested(*child);
+        }
+    }
+
+    /// Labels first: jumps lead forward too.
+    fn collect_labels(&mut self, lines: &[Line]) {
+        if !self.place.holds_code() {
+            return;
+        }
+        for (number, line) in lines.iter().enumerate() {
+            let Some(label) = &line.label else { continue };
+            if line.operation.as_ref().is_some_and(|o| o.text.eq_ignore_ascii_case("STR")) {
+                continue;
+            }
+            let key: Arc<str> = Arc::from(label.key());
+            if let Some((first, columns)) = self.labels.get(&key) {
+                let message = format!("the label {} stands here twice", label.text);
+                let finding = Finding::new(&names::DUPLICATE_LABEL, number as u32, label.columns.clone(), message)
+                    .beside(*first, columns.clone(), "the first one");
+                self.out.findings.push(finding);
+            } else {
+                self.labels.insert(key, (number as u32, label.columns.clone()));
+            }
+        }
+    }
+
+    fn nested(&mut self, child: Section<'db>) {
+        if matches!(child.kind(self.db), SectionKind::Mechanism | SectionKind::Procedure) {
+            let kind = StatementKind::Nested {
+                kind: child.kind(self.db),
+                name: child.name(self.db).clone(),
+                ordinal: child.ordinal(self.db),
+            };
+            self.push(kind);
+        }
+    }
+
+    fn push(&mut self, kind: StatementKind) {
+        let labels = std::mem::take(&mut self.waiting);
+        self.out.body.statements.push(Statement { line: self.line, labels, kind });
+    }
+
+    fn one(&mut self, line: &Line, broken: bool) {
+        if let Some(label) = line.label.as_ref().filter(|_| self.place.holds_code()) {
+            let key: Arc<str> = Arc::from(label.key());
+            self.refer(label.columns.clone(), Referent::Label(key.clone()), ReferenceAccess::Declare);
+            self.waiting.push(key);
+        }
+        if broken {
+            self.clean = false;
+            self.out.body.complete = false;
+        }
+        let Some(operation) = &line.operation else {
+            self.unreadable |= broken;
+            return;
+        };
+        let Some(entry) = self.entry(operation) else { return };
+        if entry.kind == EntryKind::Structure {
+            self.structure(entry, operation, line, broken);
+            return;
+        }
+        if !self.placed(entry, operation) {
+            self.out.body.complete = false;
+            return;
+        }
+        if self.place.holds_code() {
+            self.step(entry, operation, line, broken);
+        } else {
+            self.outside_code(entry, line, broken);
+        }
+    }
+
+    /// The catalogue's entry; reports words that are neither instruction nor macro.
+    fn entry(&mut self, operation: &Name) -> Option<&'static Entry> {
+        let known = catalogue::entry(&operation.text).filter(|entry| {
+            !matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure)
+        });
+        if known.is_some() {
+            return known;
+        }
+        if matches!(self.symbol(&operation.text), Some(Symbol { kind: SymbolKind::Macro, .. })) {
+            self.unreadable = true;
+            self.misplaced = false;
+            if let Some(symbol) = self.symbol(&operation.text).cloned() {
+                self.refer(operation.columns.clone(), Referent::Symbol(symbol.key), ReferenceAccess::Call);
+            }
+            self.push(StatementKind::Macro { name: Arc::from(operation.key()) });
+            return None;
+        }
+        self.unreadable = true;
+        self.misplaced = true;
+        let names = catalogue::entries()
+            .filter(|e| !matches!(e.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure))
+            .map(|entry| entry.name);
+        let near = suggest::nearest(&operation.text, names);
+        let message = match near {
+            Some(near) => format!("{} is no instruction; did you mean {near}?", operation.text),
+            None => format!("{} is neither an instruction nor a macro of this project", operation.text),
+        };
+        let mut finding =
+            Finding::new(&syntax::UNKNOWN_INSTRUCTION, self.line, operation.columns.clone(), message);
+        if let Some(near) = near {
+            finding = finding.replace(format!("write {near}"), operation.columns.clone(), near);
+        }
+        self.push_finding(finding);
+        None
+    }
+
+    /// Opening and closing lines.
+    fn structure(&mut self, entry: &'static Entry, operation: &Name, line: &Line, broken: bool) {
+        let own = self.line == 0 || self.line == self.end;
+        if self.place.is_file() || !own {
+            // STOP, and closing lines without a section: the structure of the file looks at them.
+            return;
+        }
+        if self.line == 0 {
+            self.opening_place(entry, operation);
+        }
+        let declared = matches!(self.section.kind(self.db), SectionKind::Mechanism | SectionKind::Procedure);
+        if declared && !broken {
+            self.named_line(entry, operation, line);
+        }
+    }
+
+    /// MECH_BEGIN, MECH_END, PROC_BEGIN, PROC_END.
+    fn named_line(&mut self, entry: &'static Entry, operation: &Name, line: &Line) {
+        use crate::syntax::ast::ExprKind;
+        match line.operands.as_slice() {
+            [] => {
+                let message = format!("the name is missing: {}", form(entry));
+                self.report(&operand_rules::OPERAND_COUNT, operation.columns.clone(), message);
+            }
+            [one] => match &one.kind {
+                ExprKind::Name(name) => {
+                    if let Some(symbol) = self.symbol(&name.text).cloned() {
+                        let access =
+                            if self.line == 0 { ReferenceAccess::Declare } else { ReferenceAccess::Call };
+                        self.refer(name.columns.clone(), Referent::Symbol(symbol.key), access);
+                    }
+                }
+                _ => {
+                    let message = format!("a name is needed here: {}", form(entry));
+                    self.report(&operand_rules::OPERAND_KIND, one.columns.clone(), message);
+                }
+            },
+            [_, more, ..] => {
+                let message = format!("one name is enough: {}", form(entry));
+                self.report(&operand_rules::OPERAND_COUNT, more.columns.clone(), message);
+            }
+        }
+    }
+
+    /// Declarations, EQUI and directives outside of code; what they declare is checked elsewhere.
+    fn outside_code(&mut self, entry: &'static Entry, line: &Line, broken: bool) {
+        self.misplaced = false;
+        if broken {
+            return;
+        }
+        match entry.name {
+            "EQUI" | "DS" | "STR" | "DFM" => operands::declaration(self, entry, line),
+            _ => {
+                if entry.kind == EntryKind::Directive {
+                    operands::resolve(self, entry, line);
+                }
+            }
+        }
+    }
+
+    fn step(&mut self, entry: &'static Entry, operation: &Name, line: &Line, broken: bool) {
+        let has_operand = !line.operands.is_empty();
+        let push = self.equations.step(entry, has_operand, self.line, &operation.columns);
+        if entry.name == "CHECK" {
+            self.equations.check(false);
+        }
+        if broken {
+            return;
+        }
+        if entry.kind == EntryKind::Declaration {
+            operands::declaration(self, entry, line);
+            return;
+        }
+        let resolved = operands::resolve(self, entry, line);
+        if self.clean {
+            self.calls(&resolved, line);
+            self.push(StatementKind::Instruction(Instruction { entry, operands: resolved, push }));
+        } else {
+            self.out.body.complete = false;
+            // Control flow must still see that it waits, jumps or ends a loop.
+            self.push(StatementKind::Instruction(Instruction { entry, operands: resolved, push }));
+        }
+    }
+
+    fn calls(&mut self, resolved: &[Operand], line: &Line) {
+        for (operand, expr) in resolved.iter().zip(&line.operands) {
+            if let Operand::Procedure(key) = operand {
+                self.out.calls.push((key.clone(), self.line, expr.columns.clone()));
+            }
+        }
+    }
+
+    /// Whether the operation may stand here; reports the first of neighbouring ones that may not.
+    fn placed(&mut self, entry: &'static Entry, operation: &Name) -> bool {
+        let Some((rule, message)) = self.place.refuses(entry) else {
+            self.misplaced = false;
+            return true;
+        };
+        if !std::mem::replace(&mut self.misplaced, true) {
+            self.report(rule, operation.columns.clone(), message);
+        }
+        // A wait in the wrong place is an isolated slip, not a run of code in the wrong place.
+        if rule == &sequences::WAIT_OUTSIDE_SEQUENCE {
+            self.misplaced = false;
+        }
+        false
+    }
+
+    fn opening_place(&mut self, entry: &'static Entry, operation: &Name) {
+        if let Some((rule, message)) = self.place.refuses_section(entry) {
+            self.report(rule, operation.columns.clone(), message);
+        }
+    }
+
+    fn finish(mut self) -> SectionAnalysis {
+        if !self.waiting.is_empty() {
+            self.push(StatementKind::Empty);
+        }
+        if self.place.holds_code() {
+            self.equations.check(self.section.kind(self.db) == SectionKind::Procedure);
+            if self.unreadable {
+                self.equations.unreadable();
+            }
+            let equations = std::mem::take(&mut self.equations);
+            self.out.findings.extend(equations.finish());
+            let labels = std::mem::take(&mut self.labels);
+            let lines = &database::section_lines(self.db, self.section).lines;
+            let found = flow::check(&self.out.body, lines, &labels, self.unreadable);
+            self.out.findings.extend(found);
+        }
+        self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
+        let blocked = self.out.findings.iter().any(Finding::blocks);
+        self.out.body.complete &= !blocked && !self.unreadable_without_macro() && self.section.closed(self.db);
+        self.out
+    }
+
+    fn unreadable_without_macro(&self) -> bool {
+        let has_macro =
+            self.out.body.statements.iter().any(|s| matches!(s.kind, StatementKind::Macro { .. }));
+        self.unreadable && !has_macro
+    }
+
+    /// The symbol a name stands for here, without a report.
+    pub(super) fn symbol(&self, name: &str) -> Option<&'db Symbol> {
+        let key = Arc::from(crate::syntax::ast::key(name));
+        let name = NameRef::new(self.db, key, self.place.file);
+        database::lookup(self.db, self.project, name).as_ref()
+    }
+
+    /// The symbol a name stands for; reports unknown names, and says nothing about those declared with a mistake.
+    pub(super) fn resolve(&mut self, name: &Name, access: ReferenceAccess) -> Option<Symbol> {
+        match self.symbol(&name.text) {
+            Some(symbol) => {
+                let symbol = symbol.clone();
+                self.refer(name.columns.clone(), Referent::Symbol(symbol.key.clone()), access);
+                if symbol.kind == SymbolKind::Unknown {
+                    self.clean = false;
+                    return None;
+                }
+                Some(symbol)
+            }
+            None => {
+                self.unknown(name);
+                None
+            }
+        }
+    }
+
+    fn unknown(&mut self, name: &Name) {
+        let near = self.nearest_symbol(name);
+        let message = match &near {
+            Some(near) => format!("{} is not declared; did you mean {near}?", name.text),
+            None => format!("{} is not declared; declare it with DFM, DS or EQUI", name.text),
+        };
+        let mut finding = Finding::new(&names::UNKNOWN_SYMBOL, self.line, name.columns.clone(), message);
+        if let Some(near) = near {
+            finding = finding.replace(format!("write {near}"), name.columns.clone(), near.as_str());
+        }
+        self.push_finding(finding);
+    }
+
+    fn nearest_symbol(&self, name: &Name) -> Option<String> {
+        let scope = database::scope(self.db, self.project);
+        let locals = self.place.file.and_then(|file| scope.locals.get(usize::from(file)));
+        let own = locals.into_iter().flat_map(|table| table.keys()).chain(scope.globals.keys());
+        let near = suggest::nearest(&name.text, own.map(|key| &**key));
+        let near = near.or_else(|| suggest::nearest(&name.text, catalogue::symbols().map(|s| s.name)));
+        near.map(|near| declared_spelling(self.db, self.project, self.place.file, near))
+    }
+
+    /// Whether a label of that key stands in the section.
+    pub(super) fn label(&mut self, name: &Name) -> Option<Arc<str>> {
+        let key: Arc<str> = Arc::from(name.key());
+        if self.labels.contains_key(&key) {
+            self.refer(name.columns.clone(), Referent::Label(key.clone()), ReferenceAccess::Jump);
+            return Some(key);
+        }
+        let near = suggest::nearest(&name.text, self.labels.keys().map(|key| &**key));
+        let message = match near {
+            Some(near) => format!("there is no label {} in this section; did you mean {near}?", name.text),
+            None => format!("there is no label {} in this module, mechanism or procedure", name.text),
+        };
+        let mut finding = Finding::new(&names::UNKNOWN_LABEL, self.line, name.columns.clone(), message);
+        if let Some(near) = near {
+            finding = finding.replace(format!("write {near}"), name.columns.clone(), near);
+        }
+        self.push_finding(finding);
+        None
+    }
+
+    pub(super) fn refer(&mut self, columns: Columns, referent: Referent, access: ReferenceAccess) {
+        self.out.references.push(Reference { line: self.line, columns, referent, access });
+    }
+
+    pub(super) fn report(&mut self, rule: &'static Rule, columns: Columns, message: impl Into<String>) {
+        self.push_finding(Finding::new(rule, self.line, columns, message));
+    }
+
+    /// Reports that a symbol is something else than needed.
+    pub(super) fn report_symbol(&mut self, rule: &'static Rule, columns: Columns, message: String, key: &SymbolKey) {
+        self.push_finding(Finding::new(rule, self.line, columns, message).declared_at(key));
+    }
+
+    pub(super) fn push_finding(&mut self, finding: Finding) {
+        if finding.rule.severity == Severity::Error {
+            self.clean = false;
+        }
+        self.out.findings.push(finding);
+    }
+
+    pub(super) fn overrun(&mut self, columns: Columns, symbol: &Symbol, offset: i64, bytes: u32) {
+        let Some(declared) = symbol.bytes() else { return };
+        if offset < 0 || offset + i64::from(bytes) > i64::from(declared) {
+            let line = self.line;
+            self.out.overruns.push(Overrun { line, columns, symbol: symbol.key.clone(), offset, bytes, declared });
+        }
+    }
+}
+
+/// The first way to write an instruction.
+pub(super) fn form(entry: &Entry) -> &'static str {
+    entry.forms.first().map_or(entry.name, |form| form.syntax)
+}
+
+/// A key in the spelling of its declaration.
+fn declared_spelling(db: &dyn Db, project: Project, file: Option<u8>, key: &str) -> String {
+    let name = NameRef::new(db, Arc::from(key), file);
+    let spelling = database::lookup(db, project, name).as_ref().and_then(|symbol| {
+        let site = database::sites(db, project).get(&symbol.key)?.first()?;
+        let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
+        Some(declared.name.text.clone())
+    });
+    spelling.unwrap_or_else(|| key.to_string())
+}

@@ -1,0 +1,618 @@
+//! Bits, cells, constants and areas: from the shape of an operand to its meaning (manual 3.5, 3.9).
+
+use technol_image::op::Width;
+
+use super::address::{Misshape, PrefixUse, Shape, Term, TermKind};
+use super::code::CodeReader;
+use super::constant::character;
+use super::hir::{Address, Operand};
+use super::operands::{access, address_of, describe, integer};
+use super::program::width;
+use super::reference::ReferenceAccess;
+use super::scope::{Symbol, SymbolKind};
+use crate::catalogue::{Access, Entry, Prefix, PrefixSet};
+use crate::diagnostics::rules::{names, operands as rules, syntax};
+use crate::syntax::ast::{Columns, Expr, ExprKind, Name};
+
+/// What a bit operand takes.
+pub(super) struct BitRules {
+    pub(super) access: Access,
+    pub(super) negatable: bool,
+    pub(super) extended: bool,
+}
+
+/// What a data operand takes.
+pub(super) struct ValueRules {
+    pub(super) access: Access,
+    pub(super) prefixes: PrefixSet,
+    pub(super) declared: PrefixSet,
+    pub(super) negatable: bool,
+}
+
+impl ValueRules {
+    fn constants(&self) -> bool {
+        self.access == Access::Read && (self.prefixes.contains(Prefix::Cnst) || self.declared.contains(Prefix::Cnst))
+    }
+}
+
+/// A sum of terms, resolved.
+struct Sum {
+    /// The one symbol with memory in it.
+    symbol: Option<Symbol>,
+    /// `$` stands in it.
+    dollar: bool,
+    offset: i64,
+    indexed: bool,
+    /// A name that is a constant, or a number, and nothing else.
+    constant: bool,
+}
+
+/// The shape of an operand; reports what has none.
+fn shape<'a>(reader: &mut CodeReader<'_>, expr: &'a Expr) -> Option<Shape<'a>> {
+    match Shape::of(expr) {
+        Ok(shape) => {
+            if let Some(prefix) = &shape.prefix {
+                misspelled(reader, prefix);
+            }
+            Some(shape)
+        }
+        Err(Misshape::Reported) => {
+            reader.clean = false;
+            None
+        }
+        Err(Misshape::Form(columns, message)) => {
+            reader.report(&rules::OPERAND_KIND, columns, message);
+            None
+        }
+    }
+}
+
+/// Reports `CNTS.`.
+pub(super) fn misspelled(reader: &mut CodeReader<'_>, prefix: &PrefixUse) {
+    if prefix.misspelled {
+        let finding = crate::diagnostics::Finding::new(
+            &syntax::MISSPELLED_PREFIX,
+            reader.line,
+            prefix.columns.clone(),
+            "CNTS. is read as CNST.",
+        );
+        reader.push_finding(finding.replace("write CNST", prefix.columns.clone(), "CNST"));
+    }
+}
+
+fn sum(reader: &mut CodeReader<'_>, shape: &Shape<'_>, expr: &Expr, uses: ReferenceAccess) -> Option<Sum> {
+    let mut sum = Sum { symbol: None, dollar: false, offset: 0, indexed: false, constant: true };
+    let element = shape.prefix.as_ref().map(|prefix| width(prefix.prefix).bytes());
+    for term in &shape.terms {
+        add(reader, &mut sum, term, element, uses)?;
+    }
+    if sum.dollar && sum.symbol.is_some() {
+        let message = "$ stands for the byte of the bit; no other address can be added to it";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
+    }
+    Some(sum)
+}
+
+fn add(
+    reader: &mut CodeReader<'_>,
+    sum: &mut Sum,
+    term: &Term<'_>,
+    element: Option<u32>,
+    uses: ReferenceAccess,
+) -> Option<()> {
+    let step = |value: i64| if term.minus { value.checked_neg() } else { Some(value) };
+    let overflow = |reader: &mut CodeReader<'_>| {
+        reader.report(&rules::CONSTANT_TOO_LARGE, term.columns.clone(), "the value is too large");
+    };
+    let value = match &term.kind {
+        TermKind::Integer(value) => *value,
+        TermKind::Text(text) => match character(text) {
+            Some(value) => value,
+            None => {
+                let message = "a character constant is one character in apostrophes";
+                reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
+                return None;
+            }
+        },
+        TermKind::Real(_) => {
+            let message = "a number with a decimal point cannot be part of an address or sum";
+            reader.report(&rules::REAL_NOT_ALLOWED, term.columns.clone(), message);
+            return None;
+        }
+        TermKind::Dollar => {
+            sum.dollar = true;
+            sum.constant = false;
+            return Some(());
+        }
+        TermKind::Name(name) if name.text.eq_ignore_ascii_case("BX") && sum.symbol.is_some() && !term.minus => {
+            sum.indexed = true;
+            return Some(());
+        }
+        TermKind::Name(name) => {
+            let symbol = reader.resolve(name, uses)?;
+            match symbol.kind {
+                SymbolKind::Constant(value) => value,
+                _ => return memory(reader, sum, term, symbol, name),
+            }
+        }
+        TermKind::Indexed(name, index) => {
+            let symbol = reader.resolve(name, uses)?;
+            let by_bx =
+                matches!(&index.kind, ExprKind::Name(index) if index.text.eq_ignore_ascii_case("BX"));
+            if by_bx {
+                sum.indexed = true;
+            } else {
+                let number = integer(reader, index)?;
+                let size = match symbol.kind {
+                    SymbolKind::Array { element, .. } => element.bytes(),
+                    SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
+                    _ => {
+                        let message = format!(
+                            "{} is {}: name[n] is for arrays; write {}+n for a byte offset, or {}[BX]",
+                            name.text,
+                            describe(&symbol.kind),
+                            name.text,
+                            name.text
+                        );
+                        reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
+                        return None;
+                    }
+                };
+                match number.checked_mul(i64::from(size)).and_then(|bytes| sum.offset.checked_add(bytes)) {
+                    Some(offset) => sum.offset = offset,
+                    None => {
+                        overflow(reader);
+                        return None;
+                    }
+                }
+            }
+            return memory(reader, sum, term, symbol, name);
+        }
+    };
+    match step(value).and_then(|value| sum.offset.checked_add(value)) {
+        Some(offset) => {
+            sum.offset = offset;
+            Some(())
+        }
+        None => {
+            overflow(reader);
+            None
+        }
+    }
+}
+
+fn memory(reader: &mut CodeReader<'_>, sum: &mut Sum, term: &Term<'_>, symbol: Symbol, name: &Name) -> Option<()> {
+    sum.constant = false;
+    if matches!(symbol.kind, SymbolKind::Procedure | SymbolKind::Macro) {
+        let message = format!("{} is {} and has no memory", name.text, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
+        return None;
+    }
+    if term.minus || sum.symbol.is_some() {
+        let message = format!("{} is an address; to an address only constants can be added", name.text);
+        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
+        return None;
+    }
+    sum.symbol = Some(symbol);
+    Some(())
+}
+
+/// A bit: `bit`, `ADR.bit`, `$+n.bit`.
+pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -> Option<Operand> {
+    let shape = shape(reader, expr)?;
+    if let Some(prefix) = &shape.prefix {
+        let message = format!("a bit takes no type prefix; write it without {}.", prefix.prefix.name());
+        reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
+        return None;
+    }
+    if let Some((true, columns)) = shape.sign.clone().filter(|_| !wanted.negatable) {
+        reader.report(&rules::SIGN_NOT_ALLOWED, columns, "this operand cannot be negated");
+        return None;
+    }
+    let negated = shape.negated();
+    if let Some(name) = shape.plain_name() {
+        let symbol = reader.resolve(name, access(wanted.access))?;
+        return plain_bit(reader, name, &symbol, negated);
+    }
+    let Some(position) = shape.bit else {
+        let message = "a bit is needed here: a bit name, ADR.bit or $+n.bit";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
+    };
+    if !wanted.extended {
+        let message = "this instruction takes a bit by its plain name only";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
+    }
+    let sum = sum(reader, &shape, expr, access(wanted.access))?;
+    let mask = reader.resolve(position, ReferenceAccess::Read)?;
+    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = mask.kind else {
+        let message = format!("{} is {}, a bit is needed behind the dot", position.text, describe(&mask.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, position.columns.clone(), message, &mask.key);
+        return None;
+    };
+    let base = if sum.dollar { Some(mask.clone()) } else { sum.symbol };
+    let Some(base) = base.filter(|base| base.kind != SymbolKind::Mechanism && base.bytes().is_some()) else {
+        let message = "an address is needed before the dot: a cell, name+n, name[BX] or $+n";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
+    };
+    // Stepping from one DFM byte to its neighbours is what `bit+n` and `$+n` are for.
+    if !sum.indexed && !matches!(base.kind, SymbolKind::Bit { .. }) {
+        reader.overrun(expr.columns.clone(), &base, sum.offset, 1);
+    }
+    let address = Address { symbol: base.key, offset: sum.offset, indexed: sum.indexed };
+    Some(Operand::Bit { address, bit, negated })
+}
+
+fn plain_bit(reader: &mut CodeReader<'_>, name: &Name, symbol: &Symbol, negated: bool) -> Option<Operand> {
+    match symbol.kind {
+        SymbolKind::Bit { bit } => Some(Operand::Bit { address: address_of(symbol), bit, negated }),
+        SymbolKind::Mechanism => Some(Operand::Bit { address: address_of(symbol), bit: 0, negated }),
+        SymbolKind::FormalBit { .. } => {
+            let message = format!("{} is only a position; write the cell before it: ADR.{}", name.text, name.text);
+            reader.report(&names::WRONG_SYMBOL, name.columns.clone(), message);
+            None
+        }
+        _ => {
+            let message = format!("{} is {}, a bit is needed here", name.text, describe(&symbol.kind));
+            reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
+            None
+        }
+    }
+}
+
+/// A cell or constant with its width.
+pub(super) fn value(
+    reader: &mut CodeReader<'_>,
+    entry: &'static Entry,
+    expr: &Expr,
+    wanted: &ValueRules,
+) -> Option<Operand> {
+    let shape = shape(reader, expr)?;
+    if let Some(name) = shape.bit {
+        let message = format!("{} works on cells, not on bits", entry.name);
+        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
+        return None;
+    }
+    if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
+        let value = if shape.negated() != *minus { -value } else { *value };
+        return real(reader, entry, expr, &shape, wanted, value);
+    }
+    let sum = sum(reader, &shape, expr, access(wanted.access))?;
+    if sum.constant {
+        return integer_value(reader, entry, expr, &shape, wanted);
+    }
+    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "$ stands only before a bit: $+n.bit");
+        return None;
+    };
+    if let Some((true, columns)) = shape.sign.clone().filter(|_| !wanted.negatable) {
+        let message = format!("{} does not negate its operand", entry.name);
+        reader.report(&rules::SIGN_NOT_ALLOWED, columns, message);
+        return None;
+    }
+    let width = match &shape.prefix {
+        Some(prefix) => prefixed(reader, entry, wanted, prefix, &symbol, expr)?,
+        None => declared(reader, entry, wanted, &symbol, expr)?,
+    };
+    let high = shape.prefix.as_ref().is_some_and(|prefix| prefix.prefix == Prefix::High);
+    let offset = sum.offset.saturating_add(i64::from(high));
+    if !sum.indexed {
+        reader.overrun(expr.columns.clone(), &symbol, offset, width.bytes());
+    }
+    let address = Address { symbol: symbol.key, offset, indexed: sum.indexed };
+    Some(Operand::Cell { address, width, negated: shape.negated() })
+}
+
+fn prefixed(
+    reader: &mut CodeReader<'_>,
+    entry: &Entry,
+    wanted: &ValueRules,
+    prefix: &PrefixUse,
+    symbol: &Symbol,
+    expr: &Expr,
+) -> Option<Width> {
+    if prefix.prefix == Prefix::Cnst {
+        let message = format!("CNST. needs a constant, {} is {}", symbol.key.name, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
+        return None;
+    }
+    if !wanted.prefixes.contains(prefix.prefix) {
+        if prefix.prefix == Prefix::Real {
+            let message = format!("{} computes with integers only; REAL. cannot stand here", entry.name);
+            reader.report(&rules::REAL_NOT_ALLOWED, prefix.columns.clone(), message);
+        } else {
+            let message = format!("{} does not take {}.{}", entry.name, prefix.prefix.name(), allowed(wanted.prefixes));
+            reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
+        }
+        return None;
+    }
+    if matches!(symbol.kind, SymbolKind::Bit { .. } | SymbolKind::Mechanism) {
+        let message = format!("{} is {}, a cell is needed here", symbol.key.name, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
+        return None;
+    }
+    Some(width(prefix.prefix))
+}
+
+fn allowed(prefixes: PrefixSet) -> String {
+    let names: Vec<_> = Prefix::ALL.iter().filter(|p| prefixes.contains(**p)).map(|p| format!("{}.", p.name())).collect();
+    if names.is_empty() { "; it takes no prefix".to_string() } else { format!("; it takes {}", names.join(" ")) }
+}
+
+fn declared(
+    reader: &mut CodeReader<'_>,
+    entry: &Entry,
+    wanted: &ValueRules,
+    symbol: &Symbol,
+    expr: &Expr,
+) -> Option<Width> {
+    let found = match symbol.kind {
+        SymbolKind::Cell(width) | SymbolKind::Array { element: width, .. } => width,
+        SymbolKind::MechanismLine => Width::Word,
+        SymbolKind::Area { .. } | SymbolKind::Text { .. } => {
+            let message = format!(
+                "{} has no type; put BYTE., WORD., DWRD., QWRD. or REAL. before it",
+                symbol.key.name
+            );
+            reader.report_symbol(&rules::UNTYPED_AREA, expr.columns.clone(), message, &symbol.key);
+            return None;
+        }
+        _ => {
+            let message = format!("{} is {}, a cell is needed here", symbol.key.name, describe(&symbol.kind));
+            reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
+            return None;
+        }
+    };
+    let as_prefix = match found {
+        Width::Byte => Prefix::Byte,
+        Width::Word => Prefix::Word,
+        Width::DWord => Prefix::Dwrd,
+        Width::QWord | Width::Real => {
+            let message = format!("{} is 8 bytes long; say QWRD. or REAL.", symbol.key.name);
+            reader.report_symbol(&rules::UNTYPED_AREA, expr.columns.clone(), message, &symbol.key);
+            return None;
+        }
+    };
+    if wanted.declared.contains(as_prefix) {
+        return Some(found);
+    }
+    let message = format!(
+        "{} is {}; {} takes {}",
+        symbol.key.name,
+        describe(&symbol.kind),
+        entry.name,
+        types(wanted.declared)
+    );
+    reader.report_symbol(&rules::PREFIX_NOT_ALLOWED, expr.columns.clone(), message, &symbol.key);
+    None
+}
+
+fn types(declared: PrefixSet) -> String {
+    let names: Vec<_> = [
+        (Prefix::Byte, "BYTE cells"),
+        (Prefix::Word, "WORD cells"),
+        (Prefix::Dwrd, "DWORD cells"),
+        (Prefix::Cnst, "constants"),
+    ]
+    .iter()
+    .filter(|(prefix, _)| declared.contains(*prefix))
+    .map(|(_, name)| *name)
+    .collect();
+    names.join(", ")
+}
+
+fn no_constant(reader: &mut CodeReader<'_>, entry: &Entry, wanted: &ValueRules, columns: Columns) {
+    if wanted.access == Access::Read {
+        let message = format!("{} takes no constant here; name a cell", entry.name);
+        reader.report(&rules::OPERAND_KIND, columns, message);
+    } else {
+        let message = format!("{} writes here; name a cell, not a constant", entry.name);
+        reader.report(&rules::CONSTANT_DESTINATION, columns, message);
+    }
+}
+
+fn real(
+    reader: &mut CodeReader<'_>,
+    entry: &Entry,
+    expr: &Expr,
+    shape: &Shape<'_>,
+    wanted: &ValueRules,
+    value: f64,
+) -> Option<Operand> {
+    if !wanted.constants() {
+        no_constant(reader, entry, wanted, expr.columns.clone());
+        return None;
+    }
+    if !wanted.prefixes.contains(Prefix::Real) {
+        let message = format!("{} computes with integers only; write a number without decimal point", entry.name);
+        reader.report(&rules::REAL_NOT_ALLOWED, expr.columns.clone(), message);
+        return None;
+    }
+    if let Some(prefix) = shape.prefix.as_ref().filter(|p| p.prefix != Prefix::Cnst) {
+        let message = "a real constant takes no prefix but CNST.";
+        reader.report(&rules::REAL_NOT_ALLOWED, prefix.columns.clone(), message);
+        return None;
+    }
+    if entry.name == "DIVB" && value == 0.0 {
+        reader.report(&rules::DIVISION_BY_ZERO, expr.columns.clone(), "this divides by zero");
+        return None;
+    }
+    Some(Operand::Real(value))
+}
+
+fn integer_value(
+    reader: &mut CodeReader<'_>,
+    entry: &Entry,
+    expr: &Expr,
+    shape: &Shape<'_>,
+    wanted: &ValueRules,
+) -> Option<Operand> {
+    if !wanted.constants() {
+        no_constant(reader, entry, wanted, expr.columns.clone());
+        return None;
+    }
+    let prefix = shape.prefix.as_ref();
+    let width = match prefix.map(|p| p.prefix) {
+        None | Some(Prefix::Cnst) => {
+            // A shift count lives in a byte, whatever the constant says.
+            Width::DWord
+        }
+        Some(Prefix::Byte) if wanted.prefixes.contains(Prefix::Byte) => Width::Byte,
+        Some(Prefix::Word) if wanted.prefixes.contains(Prefix::Word) => Width::Word,
+        Some(Prefix::Dwrd) if wanted.prefixes.contains(Prefix::Dwrd) => Width::DWord,
+        Some(other) => {
+            let columns = prefix.map_or_else(|| expr.columns.clone(), |p| p.columns.clone());
+            let message = format!("{}. cannot stand before a constant in {}", other.name(), entry.name);
+            reader.report(&rules::PREFIX_NOT_ALLOWED, columns, message);
+            return None;
+        }
+    };
+    let value = folded(reader, expr)?;
+    let (low, high) = match width {
+        Width::Byte => (-0x80, 0xFF),
+        Width::Word => (-0x8000, 0xFFFF),
+        _ => (-0x8000_0000, 0xFFFF_FFFF),
+    };
+    if !(low..=high).contains(&value) {
+        let name = match width {
+            Width::Byte => "BYTE",
+            Width::Word => "WORD",
+            _ => "32-bit constant",
+        };
+        let message = format!("{value} does not fit a {name} ({low} to {high})");
+        reader.report(&rules::CONSTANT_TOO_LARGE, expr.columns.clone(), message);
+        return None;
+    }
+    if entry.name == "DIVB" && value == 0 {
+        reader.report(&rules::DIVISION_BY_ZERO, expr.columns.clone(), "this divides by zero");
+        return None;
+    }
+    let value = match width {
+        Width::Byte => i64::from(value as i8),
+        Width::Word => i64::from(value as i16),
+        _ => i64::from(value as i32),
+    };
+    Some(Operand::Integer { value, width })
+}
+
+/// The value of a constant operand whose names are known to be constants.
+fn folded(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<i64> {
+    let bare = super::address::without_prefix(expr);
+    let value = super::constant::ConstExpr::read(&bare).ok().and_then(|constant| {
+        constant.value(&mut |name| super::program::constant(reader.db, reader.project, reader.section, name)).ok()
+    });
+    if value.is_none() {
+        reader.report(&rules::CONSTANT_TOO_LARGE, expr.columns.clone(), "the value is too large");
+    }
+    value
+}
+
+/// A constant of any size, integer or real.
+pub(super) fn constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
+    let shape = shape(reader, expr)?;
+    if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
+        return Some(Operand::Real(if shape.negated() != *minus { -value } else { *value }));
+    }
+    integer(reader, expr).map(|value| Operand::Integer { value, width: Width::DWord })
+}
+
+/// The time of TIM and TEX: number, constant, BYTE or WORD cell, `(cell+n)`.
+pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Expr) -> Option<Operand> {
+    let shape = shape(reader, expr)?;
+    if let Some(prefix) = shape.prefix.as_ref().filter(|p| p.prefix != Prefix::Cnst) {
+        let message = "the prefix of the counter covers the time too; write it there";
+        reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
+        return None;
+    }
+    if matches!(shape.terms.as_slice(), [Term { kind: TermKind::Real(_), .. }]) {
+        reader.report(&rules::REAL_NOT_ALLOWED, expr.columns.clone(), "a time is a whole number of cycles");
+        return None;
+    }
+    let total = sum(reader, &shape, expr, ReferenceAccess::Read)?;
+    if total.constant {
+        let value = folded(reader, expr)?;
+        if (0..=0xFFFF).contains(&value) {
+            return Some(Operand::Integer { value, width: Width::Word });
+        }
+        let message = format!("{value} is not within 0 and 65535 cycles");
+        reader.report(&rules::NUMBER_OUT_OF_RANGE, expr.columns.clone(), message);
+        return None;
+    }
+    if let Some((true, columns)) = shape.sign.clone() {
+        reader.report(&rules::SIGN_NOT_ALLOWED, columns, "a time cannot be negated");
+        return None;
+    }
+    let symbol = total.symbol.filter(|_| !total.dollar && shape.bit.is_none());
+    let Some(symbol) = symbol else {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "a time is a number, a constant or a cell");
+        return None;
+    };
+    let width = match symbol.kind {
+        SymbolKind::Cell(width @ (Width::Byte | Width::Word)) => width,
+        SymbolKind::MechanismLine => Width::Word,
+        // The counter's prefix gives the width; without one it is reported below.
+        SymbolKind::Area { .. } | SymbolKind::Cell(_) => Width::DWord,
+        _ => {
+            let message = format!("{} is {}, {} needs a time", symbol.key.name, describe(&symbol.kind), entry.name);
+            reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
+            return None;
+        }
+    };
+    let address = Address { symbol: symbol.key, offset: total.offset, indexed: total.indexed };
+    Some(Operand::Cell { address, width, negated: false })
+}
+
+/// An address without access width: MV, CLEAR.
+pub(super) fn area(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Option<Operand> {
+    place(reader, expr, uses, "an address is needed here: name, name+n or name[BX]", |kind| {
+        matches!(
+            kind,
+            SymbolKind::Cell(_)
+                | SymbolKind::Array { .. }
+                | SymbolKind::Area { .. }
+                | SymbolKind::Text { .. }
+                | SymbolKind::MechanismLine
+        )
+    })
+}
+
+/// A text buffer, with offset or BX.
+pub(super) fn text(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Option<Operand> {
+    place(reader, expr, uses, "a text buffer declared by STR is needed here", |kind| {
+        matches!(kind, SymbolKind::Text { .. } | SymbolKind::Area { .. })
+    })
+}
+
+fn place(
+    reader: &mut CodeReader<'_>,
+    expr: &Expr,
+    uses: Access,
+    need: &'static str,
+    fits: fn(&SymbolKind) -> bool,
+) -> Option<Operand> {
+    let shape = shape(reader, expr)?;
+    if let Some(prefix) = &shape.prefix {
+        let message = "an address takes no type prefix here";
+        reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
+        return None;
+    }
+    if shape.bit.is_some() || shape.negated() || matches!(&expr.kind, ExprKind::Text(_)) {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
+        return None;
+    }
+    let sum = sum(reader, &shape, expr, access(uses))?;
+    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
+        return None;
+    };
+    let Some(len) = symbol.bytes().filter(|_| fits(&symbol.kind)) else {
+        let message = format!("{} is {}; {need}", symbol.key.name, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
+        return None;
+    };
+    let address = Address { symbol: symbol.key, offset: sum.offset, indexed: sum.indexed };
+    Some(Operand::Area { address, len })
+}

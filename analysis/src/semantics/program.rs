@@ -1,0 +1,411 @@
+//! The project as a whole: which sections take part in it, the names they declare, and their clashes.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+use technol_image::op::Width;
+
+use super::constant::{ConstExpr, NoValue};
+use super::declarations::{Declarations, Exports, What};
+use super::hir::{SymbolKey, SymbolScope};
+use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
+use crate::catalogue::{Prefix, SystemKind};
+use crate::database::{self, Db, Project, Section, Site, SourceFile};
+use crate::project::IncludeTarget;
+use crate::syntax::section::SectionKind;
+
+/// A section that takes part in the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, salsa::SalsaValue)]
+pub struct Part<'db> {
+    /// The section.
+    pub section: Section<'db>,
+    /// 0-based program file it belongs to; an included file belongs to the one that includes it first.
+    pub file: u8,
+    /// What it is to the program: the File section of an included file is Data or DataLocal when it is included
+    /// there.
+    pub kind: SectionKind,
+    /// It belongs to an included file.
+    pub included: bool,
+}
+
+/// A T_INCLUDE that leads to a file whose memory is declared already.
+#[derive(Clone, Debug, PartialEq, Eq, salsa::SalsaValue)]
+pub struct Repeated<'db> {
+    /// Where the line stands.
+    pub section: Section<'db>,
+    /// Spelled name.
+    pub name: String,
+}
+
+/// The parts of the program in order of files and text.
+#[derive(Clone, Debug, Default, PartialEq, Eq, salsa::SalsaValue)]
+pub struct Parts<'db> {
+    /// Sections; an included file's follow the section that includes it.
+    pub parts: Vec<Part<'db>>,
+    /// Inclusions that would declare memory twice.
+    pub repeated: Vec<Repeated<'db>>,
+}
+
+/// Finds the parts.
+pub(crate) fn parts<'db>(db: &'db dyn Db, project: Project) -> Parts<'db> {
+    let included: FxHashMap<&str, SourceFile> =
+        project.included(db).iter().map(|file| (file.path(db).as_str(), *file)).collect();
+    let mut walk = Walk { db, project, included, seen: BTreeMap::new(), found: Parts::default() };
+    for (order, file) in project.files(db).iter().enumerate() {
+        for section in database::sections(db, *file) {
+            let part = Part { section: *section, file: order as u8, kind: section.kind(db), included: false };
+            walk.visit(part);
+        }
+    }
+    walk.found
+}
+
+struct Walk<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    included: FxHashMap<&'db str, SourceFile>,
+    /// Included files seen, with whether they have memory in the program.
+    seen: BTreeMap<&'db str, bool>,
+    found: Parts<'db>,
+}
+
+impl<'db> Walk<'db> {
+    fn visit(&mut self, part: Part<'db>) {
+        self.found.parts.push(part);
+        let from = part.section.file(self.db).path(self.db);
+        for (name, _) in &database::section_exports(self.db, part.section).includes {
+            let key = (from.clone(), name.clone());
+            let Some(IncludeTarget::File(path)) = self.project.includes(self.db).get(&key) else { continue };
+            let Some((path, file)) = self.included.get_key_value(path.as_str()).map(|(p, f)| (*p, *f)) else {
+                continue;
+            };
+            let holds = matches!(part.kind, SectionKind::Data | SectionKind::DataLocal);
+            let memory = holds && has_memory(self.db, file);
+            if let Some(before) = self.seen.get_mut(path) {
+                if memory && std::mem::replace(before, true) {
+                    self.found.repeated.push(Repeated { section: part.section, name: name.clone() });
+                    continue;
+                }
+                if !memory {
+                    continue;
+                }
+                // Seen for its constants only: this inclusion gives it its memory.
+                self.found.parts.retain(|p| p.section.file(self.db) != file);
+            }
+            self.seen.insert(path, memory);
+            for section in database::sections(self.db, file) {
+                let own = section.kind(self.db);
+                let kind = if own == SectionKind::File && holds { part.kind } else { own };
+                self.visit(Part { section: *section, file: part.file, kind, included: true });
+            }
+        }
+    }
+}
+
+fn has_memory(db: &dyn Db, file: SourceFile) -> bool {
+    database::sections(db, file).iter().any(|section| !database::section_exports(db, *section).storage.is_empty())
+}
+
+/// Names and memory of the project.
+pub(crate) fn scope(db: &dyn Db, project: Project) -> Scope {
+    let parts = &database::parts(db, project).parts;
+    let constants = Constants::resolve(db, parts);
+    let mut scope =
+        Scope { locals: vec![FxHashMap::default(); project.files(db).len()], ..Scope::default() };
+    for part in parts {
+        let exports = database::section_exports(db, part.section);
+        for (name, what) in &exports.names {
+            declare(&mut scope, db, part, exports, name, what, &constants);
+        }
+    }
+    scope.circular = constants.circular;
+    mechanism_lines(&mut scope);
+    local_clashes(&mut scope);
+    scope
+}
+
+fn declare(
+    scope: &mut Scope,
+    db: &dyn Db,
+    part: &Part<'_>,
+    exports: &Exports,
+    name: &Arc<str>,
+    what: &What,
+    constants: &Constants,
+) {
+    let key = SymbolKey { scope: owner(part, what), name: name.clone() };
+    let kind = kind_of(part, exports, name, what, constants);
+    let routine =
+        || Routine { key: key.clone(), file: part.file, outer: part.section.outer(db).clone() };
+    match what {
+        What::Mechanism => scope.mechanisms.push(routine()),
+        What::Procedure => scope.procedures.push(routine()),
+        _ => {}
+    }
+    let table = match key.scope {
+        SymbolScope::File(file) => match scope.locals.get_mut(usize::from(file)) {
+            Some(table) => table,
+            None => return,
+        },
+        SymbolScope::Global | SymbolScope::System => &mut scope.globals,
+    };
+    let symbol = Symbol { key: key.clone(), kind };
+    if let Some(before) = table.get(name) {
+        if let Some(clash) = clash(&before.kind, &symbol.kind, constants.conflicts.contains(name.as_ref())) {
+            scope.clashes.insert(key, clash);
+        }
+        return;
+    }
+    table.insert(name.clone(), symbol);
+}
+
+fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash> {
+    let cell = |kind: &SymbolKind| {
+        matches!(kind, SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. })
+    };
+    match (before, now) {
+        (SymbolKind::Constant(_), SymbolKind::Constant(_)) => conflict.then_some(Clash::Values),
+        (SymbolKind::Mechanism, other) | (other, SymbolKind::Mechanism) if cell(other) => Some(Clash::MechanismAndCell),
+        _ => Some(Clash::Twice),
+    }
+}
+
+/// Every mechanism has a WORD `name_LINE`; a name that is taken already clashes.
+fn mechanism_lines(scope: &mut Scope) {
+    for mechanism in &scope.mechanisms {
+        let name: Arc<str> = Arc::from(crate::syntax::ast::key(&format!("{}_LINE", mechanism.key.name)));
+        let key = SymbolKey { scope: SymbolScope::Global, name: name.clone() };
+        match scope.globals.get(&name) {
+            Some(Symbol { kind: SymbolKind::MechanismLine, .. }) => {}
+            Some(_) => {
+                scope.clashes.entry(key).or_insert(Clash::Twice);
+            }
+            None => {
+                scope.globals.insert(name, Symbol { key, kind: SymbolKind::MechanismLine });
+            }
+        }
+    }
+}
+
+fn local_clashes(scope: &mut Scope) {
+    for local in &scope.locals {
+        for (name, symbol) in local {
+            if scope.globals.contains_key(name) {
+                scope.clashes.entry(symbol.key.clone()).or_insert(Clash::LocalAndGlobal);
+            }
+        }
+    }
+}
+
+fn owner(part: &Part<'_>, what: &What) -> SymbolScope {
+    let local = part.kind == SectionKind::DataLocal;
+    match what {
+        What::Constant(_) | What::Mechanism | What::Procedure | What::Macro => SymbolScope::Global,
+        _ if local => SymbolScope::File(part.file),
+        _ => SymbolScope::Global,
+    }
+}
+
+fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constants: &Constants) -> SymbolKind {
+    // DFM and DS outside DATA are reported where they stand.
+    if part.kind == SectionKind::File && matches!(what, What::Bit { .. } | What::Cell { .. } | What::Area { .. }) {
+        return SymbolKind::Unknown;
+    }
+    let length = |storage: u32| {
+        let known = exports.storage.get(storage as usize).copied().flatten();
+        known.or_else(|| {
+            let (.., expr, extra) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
+            let len = constants.value(expr).filter(|len| (1..=super::collect::MAX_LENGTH).contains(len))?;
+            Some(len as u32 + u32::from(*extra))
+        })
+    };
+    match what {
+        What::Bit { bit, .. } => SymbolKind::Bit { bit: *bit },
+        What::Cell { storage } | What::Area { storage } => match length(*storage) {
+            Some(1) => SymbolKind::Cell(Width::Byte),
+            Some(2) => SymbolKind::Cell(Width::Word),
+            Some(4) => SymbolKind::Cell(Width::DWord),
+            Some(len) => SymbolKind::Area { len },
+            None => SymbolKind::Unknown,
+        },
+        What::Text { storage: Some(storage), .. } => {
+            length(*storage).map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) })
+        }
+        What::Text { len, .. } => SymbolKind::Text { len: *len },
+        What::Constant(_) => constants.values.get(name).copied().flatten().map_or(SymbolKind::Unknown, SymbolKind::Constant),
+        What::Mechanism => SymbolKind::Mechanism,
+        What::Procedure => SymbolKind::Procedure,
+        What::Macro => SymbolKind::Macro,
+        What::Label | What::Unknown => SymbolKind::Unknown,
+    }
+}
+
+/// EQUI constants of the project.
+#[derive(Default)]
+struct Constants {
+    /// Value by key; `None` when it cannot be computed.
+    values: FxHashMap<Arc<str>, Option<i64>>,
+    /// Names with different values.
+    conflicts: BTreeSet<Arc<str>>,
+    /// Names at which a circle was found.
+    circular: BTreeSet<Arc<str>>,
+}
+
+impl Constants {
+    fn resolve(db: &dyn Db, parts: &[Part<'_>]) -> Constants {
+        let mut open: FxHashMap<Arc<str>, Vec<&ConstExpr>> = FxHashMap::default();
+        let mut known = Constants::default();
+        for part in parts {
+            let exports = database::section_exports(db, part.section);
+            for (index, (name, what)) in exports.names.iter().enumerate() {
+                if let What::Constant(value) = what {
+                    match (value, exports.expressions.iter().find(|(i, _)| *i == index as u32)) {
+                        (Some(value), _) => known.add(name, Some(*value)),
+                        (None, Some((_, expr))) => open.entry(name.clone()).or_default().push(expr),
+                        (None, None) => known.add(name, None),
+                    }
+                }
+            }
+        }
+        let names: BTreeSet<Arc<str>> = open.keys().cloned().collect();
+        let mut busy = BTreeSet::new();
+        for name in names {
+            known.compute(&name, &open, &mut busy);
+        }
+        known
+    }
+
+    fn add(&mut self, name: &Arc<str>, value: Option<i64>) {
+        match self.values.get(name) {
+            Some(before) if *before != value => {
+                self.conflicts.insert(name.clone());
+            }
+            Some(_) => {}
+            None => {
+                self.values.insert(name.clone(), value);
+            }
+        }
+    }
+
+    fn compute(
+        &mut self,
+        name: &Arc<str>,
+        open: &FxHashMap<Arc<str>, Vec<&ConstExpr>>,
+        busy: &mut BTreeSet<Arc<str>>,
+    ) {
+        let Some(exprs) = open.get(name) else { return };
+        // A chain so long that following it would exhaust the stack counts as a circle.
+        if busy.len() > 200 || !busy.insert(name.clone()) {
+            self.circular.insert(name.clone());
+            return;
+        }
+        for expr in exprs {
+            let mut needed = Vec::new();
+            expr.names(&mut needed);
+            for other in needed {
+                let other: Arc<str> = Arc::from(other);
+                if !self.values.contains_key(&other) {
+                    self.compute(&other, open, busy);
+                }
+            }
+            let value = self.value(expr).filter(|v| (-0x8000_0000..=0xFFFF_FFFF).contains(v));
+            self.add(name, value);
+        }
+        busy.remove(name);
+    }
+
+    fn value(&self, expr: &ConstExpr) -> Option<i64> {
+        expr.value(&mut |name| self.values.get(name).copied().flatten().or_else(|| system_constant(name))).ok()
+    }
+}
+
+/// The value of a predefined constant.
+fn system_constant(name: &str) -> Option<i64> {
+    match crate::catalogue::symbol(name)?.kind {
+        SystemKind::Constant(value) => Some(value),
+        _ => None,
+    }
+}
+
+/// Where names are declared.
+pub(crate) fn sites<'db>(db: &'db dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'db>>> {
+    let mut sites: BTreeMap<SymbolKey, Vec<Site<'db>>> = BTreeMap::new();
+    for part in &database::parts(db, project).parts {
+        let exports = database::section_exports(db, part.section);
+        for ((name, what), index) in exports.names.iter().zip(&exports.indices) {
+            let key = SymbolKey { scope: owner(part, what), name: name.clone() };
+            sites.entry(key).or_default().push(Site { section: part.section, index: *index });
+        }
+    }
+    sites
+}
+
+/// A section's declarations with lengths and constants that need other sections filled in.
+pub(crate) fn resolved(db: &dyn Db, project: Project, section: Section<'_>) -> Declarations {
+    let mut declarations = database::section_declarations(db, section).clone();
+    let mut value = |name: &str| constant(db, project, section, name);
+    for (index, expr) in &declarations.expressions {
+        let value = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
+        if let Some(declared) = declarations.names.get_mut(*index as usize) {
+            declared.what = What::Constant(value);
+        }
+    }
+    for (storage, name, expr, extra) in &declarations.lengths {
+        let len = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
+        let Some(len) = len.filter(|len| (1..=super::collect::MAX_LENGTH).contains(len)) else { continue };
+        let len = len as u32;
+        if let Some(piece) = declarations.storage.get_mut(*storage as usize) {
+            piece.len = len + u32::from(*extra);
+        }
+        if let Some(declared) = name.and_then(|name| declarations.names.get_mut(name as usize)) {
+            match &mut declared.what {
+                What::Area { storage } if matches!(len, 1 | 2 | 4) => {
+                    declared.what = What::Cell { storage: *storage };
+                }
+                What::Text { len: characters, .. } => *characters = len,
+                _ => {}
+            }
+        }
+    }
+    declarations
+}
+
+/// The value of a constant as a section sees it.
+pub(crate) fn constant(db: &dyn Db, project: Project, section: Section<'_>, name: &str) -> Option<i64> {
+    let name = database::NameRef::new(db, Arc::from(name), section.file(db).order(db));
+    match database::lookup(db, project, name) {
+        Some(Symbol { kind: SymbolKind::Constant(value), .. }) => Some(*value),
+        _ => None,
+    }
+}
+
+/// Why the value of an expression is not known, as a section sees it.
+pub(crate) fn no_value(db: &dyn Db, project: Project, section: Section<'_>, expr: &ConstExpr) -> Option<NoValue> {
+    expr.value(&mut |name| constant(db, project, section, name)).err()
+}
+
+/// What a predefined symbol stands for.
+#[must_use]
+pub fn system_kind(kind: &SystemKind) -> SymbolKind {
+    match kind {
+        SystemKind::Bit { bit, .. } => SymbolKind::Bit { bit: *bit },
+        SystemKind::FormalBit { bit } => SymbolKind::FormalBit { bit: *bit },
+        SystemKind::Cell { prefix, .. } => SymbolKind::Cell(width(*prefix)),
+        SystemKind::Array { element, len, .. } => SymbolKind::Array { element: width(*element), len: *len },
+        SystemKind::Area { len, .. } => SymbolKind::Area { len: *len },
+        SystemKind::Constant(value) => SymbolKind::Constant(*value),
+    }
+}
+
+/// Width of an access with a prefix.
+#[must_use]
+pub const fn width(prefix: Prefix) -> Width {
+    match prefix {
+        Prefix::Byte | Prefix::High => Width::Byte,
+        Prefix::Word => Width::Word,
+        Prefix::Cnst | Prefix::Dwrd => Width::DWord,
+        Prefix::Qwrd => Width::QWord,
+        Prefix::Real => Width::Real,
+    }
+}

@@ -1,0 +1,171 @@
+//! Which input and output ports a program uses, and what it calls their bits.
+//!
+//! A PLC program copies ports into declared bytes and bits (or back) before it works with them; those declared
+//! names tell the user more than `P1IN.3`.
+
+use std::collections::{BTreeMap, HashMap};
+
+use technol_image::Program;
+use technol_image::debug_info::{DebugInfo, Scope, SymbolKind};
+use technol_image::op::{Addr, BitRef, Op, Place, Source, Width};
+use technol_image::system;
+
+/// A port that the program uses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Port {
+    pub(crate) addr: Addr,
+    pub(crate) name: String,
+    /// What the program calls its bits.
+    pub(crate) bits: [Option<String>; 8],
+}
+
+/// Ports in ascending order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Ports {
+    pub(crate) inputs: Vec<Port>,
+    pub(crate) outputs: Vec<Port>,
+}
+
+type Names = HashMap<(Addr, u8), String>;
+type Found = BTreeMap<Addr, [Option<String>; 8]>;
+
+/// Collects the ports from code and symbols.
+pub(crate) fn used(program: &Program, debug: &DebugInfo) -> Ports {
+    let names = bit_names(debug);
+    let mut found = Found::new();
+    for op in &program.code {
+        for addr in touched(op) {
+            if is_port(addr) {
+                found.entry(addr).or_default();
+            }
+        }
+    }
+    for (n, op) in program.code.iter().enumerate() {
+        note_copy(op, program.code.get(n + 1), &names, &mut found);
+    }
+    let spelled: HashMap<Addr, &str> = debug
+        .symbols
+        .iter()
+        .filter(|s| s.scope == Scope::System)
+        .filter_map(|s| match s.kind {
+            SymbolKind::Cell { addr, width: Width::Byte } if is_port(addr) => Some((addr, s.name.as_str())),
+            _ => None,
+        })
+        .collect();
+    let mut ports = Ports::default();
+    for (addr, bits) in found {
+        let name = spelled.get(&addr).map_or_else(|| port_name(addr), |n| (*n).to_owned());
+        let port = Port { addr, name, bits };
+        if is_output(addr) { ports.outputs.push(port) } else { ports.inputs.push(port) }
+    }
+    ports
+}
+
+fn is_input(addr: Addr) -> bool {
+    (system::IN_PORTS..system::IN_PORTS + system::IN_PORT_COUNT).contains(&addr)
+}
+
+fn is_output(addr: Addr) -> bool {
+    (system::OUT_PORTS..system::OUT_PORTS + system::OUT_PORT_COUNT).contains(&addr)
+}
+
+pub(crate) fn is_port(addr: Addr) -> bool {
+    is_input(addr) || is_output(addr)
+}
+
+/// `P1IN` is the first input port, `P0OUT` the first output port.
+fn port_name(addr: Addr) -> String {
+    if is_output(addr) {
+        format!("P{}OUT", addr - system::OUT_PORTS)
+    } else {
+        format!("P{}IN", addr - system::IN_PORTS + 1)
+    }
+}
+
+fn bit_names(debug: &DebugInfo) -> Names {
+    let mut names = Names::new();
+    for symbol in debug.symbols.iter().filter(|s| s.scope != Scope::System) {
+        if let SymbolKind::Bit { addr, bit } = symbol.kind {
+            names.entry((addr, bit)).or_insert_with(|| symbol.name.clone());
+        }
+    }
+    names
+}
+
+/// Byte addresses an operation works on.
+fn touched(op: &Op) -> Vec<Addr> {
+    let place = |p: &Place, width: Width| (p.addr..p.addr.saturating_add(width.bytes())).collect::<Vec<_>>();
+    match op {
+        Op::Ldr { bit, .. } | Op::Logic { bit, .. } | Op::Edge { bit, .. } | Op::Write(bit) | Op::Flag { bit, .. } => {
+            vec![bit.addr]
+        }
+        Op::MoveBit { dst, src, .. } => vec![dst.addr, src.addr],
+        Op::Load { src: Source::Mem(p), width, .. }
+        | Op::Arith { src: Source::Mem(p), width, .. }
+        | Op::Compare { src: Source::Mem(p), width, .. }
+        | Op::Store { dst: p, width, .. } => place(p, *width),
+        Op::Move { dst, src, width, .. } => [place(dst, *width), place(src, *width)].concat(),
+        Op::Copy { src, dst, len } => {
+            let len = (*len).min(system::IN_PORT_COUNT);
+            (src.addr..src.addr.saturating_add(len)).chain(dst.addr..dst.addr.saturating_add(len)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Recognises copies between a port and declared data: one bit, or whole bytes.
+fn note_copy(op: &Op, next: Option<&Op>, names: &Names, found: &mut Found) {
+    match (op, next) {
+        (Op::Ldr { bit, neg: false, .. }, Some(Op::Write(dst))) => note_bit(*bit, *dst, names, found),
+        (Op::MoveBit { dst, src, neg: false, .. }, _) => note_bit(*src, *dst, names, found),
+        (Op::Load { src: Source::Mem(src), width, neg: false }, Some(Op::Store { dst, width: stored, .. }))
+            if width == stored =>
+        {
+            note_bytes(*src, *dst, width.bytes(), names, found);
+        }
+        (Op::Move { dst, src, width, .. }, _) => note_bytes(*src, *dst, width.bytes(), names, found),
+        (Op::Copy { src, dst, len }, _) => note_bytes(*src, *dst, (*len).min(system::IN_PORT_COUNT), names, found),
+        _ => {}
+    }
+}
+
+fn note_bit(src: BitRef, dst: BitRef, names: &Names, found: &mut Found) {
+    for (port, other) in [(src, dst), (dst, src)] {
+        if is_port(port.addr) && !is_port(other.addr) && !port.indexed && !other.indexed {
+            if let (Some(bits), Some(name)) = (found.get_mut(&port.addr), names.get(&(other.addr, other.bit))) {
+                bits[usize::from(port.bit & 7)].get_or_insert_with(|| name.clone());
+            }
+        }
+    }
+}
+
+fn note_bytes(src: Place, dst: Place, len: u32, names: &Names, found: &mut Found) {
+    for byte in 0..len {
+        for bit in 0..8 {
+            let at = |p: Place| BitRef { addr: p.addr.saturating_add(byte), bit, indexed: p.indexed };
+            note_bit(at(src), at(dst), names, found);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn ports_carry_the_names_of_what_they_are_copied_to() {
+        let sample = sample::image();
+        let debug = sample.debug.as_ref().unwrap();
+        let ports = used(&sample.program, debug);
+        let name = |port: &Port, bit: usize| port.bits[bit].clone();
+        assert_eq!(ports.inputs.len(), 1);
+        assert_eq!(ports.inputs[0].name, "P1IN");
+        assert_eq!(name(&ports.inputs[0], 0), Some("KSMP".into()));
+        assert_eq!(name(&ports.inputs[0], 1), Some("KSMM".into()));
+        assert_eq!(name(&ports.inputs[0], 2), None);
+        assert_eq!(ports.outputs.len(), 1);
+        assert_eq!(ports.outputs[0].name, "P0OUT");
+        assert_eq!(name(&ports.outputs[0], 4), Some("SMP".into()));
+    }
+}

@@ -1,0 +1,230 @@
+//! Between editor positions and code: files, lines, sections.
+
+use std::collections::HashSet;
+use std::path::{Component, Path, PathBuf};
+
+use technol_image::debug_info::DebugInfo;
+use technol_image::op::Pc;
+use technol_image::program::{ModuleKind, Program};
+
+/// A stretch of code that belongs together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Section {
+    Procedure(u16),
+    Sequence(u16),
+    Module(u16),
+}
+
+/// Where a break-point goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Placement {
+    /// The line with code, 1-based.
+    pub(crate) line: u32,
+    /// Its statements: more than one where a file is included several times.
+    pub(crate) pcs: Vec<Pc>,
+}
+
+/// Why no break-point can go there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoPlace {
+    NoCode,
+    Fast,
+    Cont,
+    OutsideDebug,
+}
+
+impl NoPlace {
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            NoPlace::NoCode => "no code follows this line in its section",
+            NoPlace::Fast => "MODULE_FAST takes no break-points: the 1 ms raster cannot be held",
+            NoPlace::Cont => "MODULE_CONT never stops: it keeps running while the debugger holds the rest",
+            NoPlace::OutsideDebug => {
+                "outside a DEBUG region; enclose it in DEBUG … DEBUG OFF, or set `everywhere = true` under [debug] in technol.toml"
+            }
+        }
+    }
+}
+
+/// A line with code.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    line: u32,
+    pc: Pc,
+    in_debug_region: bool,
+}
+
+/// Source positions of one program.
+pub(crate) struct SourceMap {
+    root: PathBuf,
+    /// Absolute path of each file.
+    paths: Vec<PathBuf>,
+    /// Lines with statements of each file, ascending by line, then code.
+    entries: Vec<Vec<Entry>>,
+}
+
+impl SourceMap {
+    pub(crate) fn new(root: &Path, program: &Program, debug: &DebugInfo) -> Self {
+        let statements: HashSet<Pc> = program.statements.iter().copied().collect();
+        let mut entries = vec![Vec::new(); debug.files.len()];
+        for line in debug.lines.iter().filter(|l| statements.contains(&l.pc)) {
+            if let Some(file) = entries.get_mut(usize::from(line.file)) {
+                file.push(Entry { line: line.line, pc: line.pc, in_debug_region: line.in_debug_region });
+            }
+        }
+        for file in &mut entries {
+            file.sort_by_key(|e| (e.line, e.pc));
+        }
+        let paths = debug.files.iter().map(|f| plain(&root.join(&f.path))).collect();
+        SourceMap { root: root.to_owned(), paths, entries }
+    }
+
+    pub(crate) fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Absolute path of a file.
+    pub(crate) fn path(&self, file: u16) -> Option<&Path> {
+        self.paths.get(usize::from(file)).map(PathBuf::as_path)
+    }
+
+    /// The file that an editor calls `path`.
+    pub(crate) fn file(&self, path: &str) -> Option<u16> {
+        let wanted = plain(Path::new(path));
+        let found = self.paths.iter().position(|p| same_path(p, &wanted)).or_else(|| {
+            // The same file under another name: symbolic links, short names.
+            let real = wanted.canonicalize().ok()?;
+            self.paths.iter().position(|p| p.canonicalize().is_ok_and(|p| p == real))
+        })?;
+        u16::try_from(found).ok()
+    }
+
+    /// Lines of the file that can take a break-point, ascending, each once.
+    pub(crate) fn lines(&self, file: u16, from: u32, to: u32) -> Vec<u32> {
+        let mut lines: Vec<u32> =
+            self.entries(file).iter().map(|e| e.line).filter(|l| (from..=to).contains(l)).collect();
+        lines.dedup();
+        lines
+    }
+
+    fn entries(&self, file: u16) -> &[Entry] {
+        self.entries.get(usize::from(file)).map_or(&[], Vec::as_slice)
+    }
+
+    /// Finds the statement at `line`, or the next one in the same section.
+    pub(crate) fn place(
+        &self,
+        program: &Program,
+        debug: &DebugInfo,
+        file: u16,
+        line: u32,
+        everywhere: bool,
+    ) -> Result<Placement, NoPlace> {
+        let entries = self.entries(file);
+        let at = entries.partition_point(|e| e.line < line);
+        let first = entries.get(at).ok_or(NoPlace::NoCode)?;
+        if first.line != line && leaves_section(program, debug, file, line, at.checked_sub(1).map(|n| entries[n].pc), first.pc) {
+            return Err(NoPlace::NoCode);
+        }
+        let here = || entries[at..].iter().take_while(|e| e.line == first.line);
+        let mut reason = NoPlace::NoCode;
+        let mut pcs = Vec::new();
+        for entry in here() {
+            match module_kind(program, entry.pc) {
+                Some(ModuleKind::Fast) => reason = NoPlace::Fast,
+                Some(ModuleKind::Cont) => reason = NoPlace::Cont,
+                _ if !everywhere && !entry.in_debug_region => reason = NoPlace::OutsideDebug,
+                _ => pcs.push(entry.pc),
+            }
+        }
+        if pcs.is_empty() { Err(reason) } else { Ok(Placement { line: first.line, pcs }) }
+    }
+}
+
+/// The line lies inside a section, and the next code is not in it any more.
+fn leaves_section(
+    program: &Program,
+    debug: &DebugInfo,
+    file: u16,
+    line: u32,
+    before: Option<Pc>,
+    after: Pc,
+) -> bool {
+    let around = debug.mechanisms.iter().find(|m| m.file == file && (m.lines.0..=m.lines.1).contains(&line));
+    if let Some(mechanism) = around {
+        return sequence_of(program, after) != Some(mechanism.sequence);
+    }
+    let Some(before) = before else { return false };
+    // A section whose closing line is behind us is over: what follows is between sections.
+    let closed = program.code.get(before as usize).is_some_and(|op| {
+        use technol_image::Op;
+        matches!(op, Op::ModuleEnd | Op::Return | Op::SeqEnd(_))
+    });
+    !closed && module_of(program, before) != module_of(program, after)
+}
+
+/// The innermost section of an operation.
+pub(crate) fn section(program: &Program, pc: Pc) -> Option<Section> {
+    let within = |start: Pc, end: Pc| (start..end).contains(&pc);
+    let procedure = program.procedures.iter().position(|p| within(p.start, p.end));
+    procedure
+        .map(|n| Section::Procedure(n as u16))
+        .or_else(|| sequence_of(program, pc).map(Section::Sequence))
+        .or_else(|| module_of(program, pc).map(Section::Module))
+}
+
+fn sequence_of(program: &Program, pc: Pc) -> Option<u16> {
+    program.sequences.iter().position(|s| (s.start..=s.end).contains(&pc)).map(|n| n as u16)
+}
+
+fn module_of(program: &Program, pc: Pc) -> Option<u16> {
+    program.modules.iter().position(|m| (m.start..m.end).contains(&pc)).map(|n| n as u16)
+}
+
+fn module_kind(program: &Program, pc: Pc) -> Option<ModuleKind> {
+    if program.procedures.iter().any(|p| (p.start..p.end).contains(&pc)) {
+        return None; // whoever calls it decides
+    }
+    module_of(program, pc).map(|n| program.modules[usize::from(n)].kind)
+}
+
+/// The module kind behind its index on the wire.
+pub(crate) fn module_from_index(index: u8) -> Option<ModuleKind> {
+    const KINDS: [ModuleKind; 10] = [
+        ModuleKind::Input,
+        ModuleKind::BlockInit,
+        ModuleKind::BlockDone,
+        ModuleKind::Main,
+        ModuleKind::Init,
+        ModuleKind::Done,
+        ModuleKind::Clear,
+        ModuleKind::Halt,
+        ModuleKind::Fast,
+        ModuleKind::Cont,
+    ];
+    KINDS.get(usize::from(index)).copied()
+}
+
+/// Without `.` and `..`, on paper only.
+pub(crate) fn plain(path: &Path) -> PathBuf {
+    let mut out = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if matches!(out.components().next_back(), Some(Component::Normal(_))) => {
+                out.pop();
+            }
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+fn same_path(a: &Path, b: &Path) -> bool {
+    if cfg!(windows) {
+        let fold = |p: &Path| p.to_string_lossy().replace('/', "\\").to_lowercase();
+        fold(a) == fold(b)
+    } else {
+        a == b
+    }
+}

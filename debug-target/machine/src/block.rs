@@ -1,0 +1,145 @@
+//! Part-program blocks that the control starts.
+
+use alloc::vec::Vec;
+
+use serde::Deserialize;
+
+use crate::compile::Compiler;
+use crate::config;
+use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
+
+/// How a block is started.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlockMode {
+    /// Automatic.
+    #[default]
+    Auto,
+    /// Central annulment.
+    CentralAnnulment,
+    /// Reference run.
+    Reference,
+    /// None of these.
+    Other,
+}
+
+/// A block to be started; values are within the ranges of [`config::Block`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BlockStart {
+    /// M functions.
+    pub m: Vec<u8>,
+    /// Spindle value.
+    pub s: Option<u16>,
+    /// Tool.
+    pub t: Option<u32>,
+    /// H function.
+    pub h: Option<u8>,
+    /// Duration of its movement in milliseconds.
+    pub motion_ms: u32,
+    /// Rapid traverse.
+    pub rapid: bool,
+    /// Mode.
+    pub mode: BlockMode,
+}
+
+/// What starts a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Trigger {
+    AtCycle(u64),
+    Rising(Signal),
+}
+
+/// Blocks that are started together, one after another.
+#[derive(Clone, Debug)]
+pub(crate) struct Program {
+    trigger: Trigger,
+    blocks: Vec<BlockStart>,
+    /// Level of the signal at the last look; it counts as on at first, so that only a change starts anything.
+    was_on: bool,
+}
+
+impl Program {
+    /// Groups blocks: one without a trigger of its own belongs to the one before it.
+    pub(crate) fn compile(blocks: &[config::Block], compiler: &mut Compiler<'_>) -> Vec<Program> {
+        let mut programs: Vec<Program> = Vec::new();
+        for (index, block) in blocks.iter().enumerate() {
+            compiler.enter("block", Some(index));
+            check_ranges(block, compiler);
+            let trigger = match (block.at_cycle, &block.on) {
+                (Some(_), Some(_)) => {
+                    compiler.error("on", "cannot be combined with `at-cycle`");
+                    continue;
+                }
+                (Some(cycle), None) => Some(Trigger::AtCycle(cycle)),
+                (None, Some(name)) => match compiler.signal("on", name) {
+                    Some(signal) => Some(Trigger::Rising(signal)),
+                    None => continue,
+                },
+                (None, None) => None,
+            };
+            match (trigger, programs.last_mut()) {
+                (Some(trigger), _) => {
+                    programs.push(Program { trigger, blocks: [start(block)].to_vec(), was_on: true });
+                }
+                (None, Some(program)) => program.blocks.push(start(block)),
+                (None, None) if index == 0 => {
+                    compiler.error("", "the first block needs `at-cycle` or `on`");
+                }
+                (None, None) => {} // the block before it is wrong, which is reported
+            }
+        }
+        programs
+    }
+
+    pub(crate) fn reset(&mut self) {
+        self.was_on = true;
+    }
+
+    /// The blocks to start in this millisecond.
+    pub(crate) fn step(
+        &mut self,
+        millis: u64,
+        outputs: &[u8; OUTPUT_PORTS],
+        inputs: &[u8; INPUT_PORTS],
+    ) -> &[BlockStart] {
+        let starts = match self.trigger {
+            Trigger::AtCycle(cycle) => millis.is_multiple_of(20) && millis / 20 == cycle,
+            Trigger::Rising(signal) => {
+                let on = match signal {
+                    Signal::Input { port, bit } => inputs[usize::from(port)] >> bit & 1 != 0,
+                    Signal::Output { port, bit } => outputs[usize::from(port)] >> bit & 1 != 0,
+                };
+                let was_on = core::mem::replace(&mut self.was_on, on);
+                on && !was_on
+            }
+        };
+        if starts { &self.blocks } else { &[] }
+    }
+}
+
+fn check_ranges(block: &config::Block, compiler: &mut Compiler<'_>) {
+    if block.m.iter().any(|m| *m > 99) {
+        compiler.error("m", "M functions go from 0 to 99");
+    }
+    if block.h.is_some_and(|h| h > 99) {
+        compiler.error("h", "must be 0 to 99");
+    }
+    if block.t.is_some_and(|t| t > 99_999_999) {
+        compiler.error("t", "has more than eight digits");
+    }
+    if block.s.is_some_and(|s| s > 0x7FFF) {
+        compiler.error("s", "must be 0 to 32767");
+    }
+}
+
+fn start(block: &config::Block) -> BlockStart {
+    BlockStart {
+        m: block.m.clone(),
+        s: block.s,
+        t: block.t,
+        h: block.h,
+        motion_ms: block.motion_ms,
+        rapid: block.rapid,
+        mode: block.mode,
+    }
+}

@@ -1,0 +1,52 @@
+//! A contact that follows an output with a delay.
+
+use crate::compile::Compiler;
+use crate::config;
+use crate::drive::Drive;
+use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS};
+
+#[derive(Clone, Debug)]
+pub(crate) struct Contact {
+    output: Drive,
+    input: InputBit,
+    on_delay: u32,
+    off_delay: u32,
+    invert: bool,
+    closed: bool,
+    /// Milliseconds for which the output has differed from the contact.
+    differs: u32,
+}
+
+impl Contact {
+    pub(crate) fn compile(config: &config::Contact, compiler: &mut Compiler<'_>) -> Option<Contact> {
+        let output = compiler.drive("output", &config.output);
+        let input = compiler.driven("input", &config.input);
+        Some(Contact {
+            output,
+            input: input?,
+            on_delay: config.on_delay_ms,
+            off_delay: config.off_delay_ms,
+            invert: config.invert,
+            closed: false,
+            differs: 0,
+        })
+    }
+
+    pub(crate) fn reset(&mut self) {
+        self.closed = false;
+        self.differs = 0;
+    }
+
+    pub(crate) fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
+        let driven = self.output.is_on(outputs);
+        if driven == self.closed {
+            self.differs = 0;
+        } else if self.differs >= if driven { self.on_delay } else { self.off_delay } {
+            self.closed = driven;
+            self.differs = 0;
+        } else {
+            self.differs += 1;
+        }
+        self.input.set(inputs, self.closed != self.invert);
+    }
+}

@@ -1,0 +1,439 @@
+//! The supervisor: what happens in a millisecond, and the life of the PLC (manual 5.2, 5.3).
+
+use alloc::vec::Vec;
+
+use technol_image::program::{ModuleKind, RegionKind, SequenceKind};
+use technol_image::system;
+
+use crate::block::{BlockCycle, QUEUE_LEN, Rejection, Stage};
+use crate::code::{is_stoppable, module_of};
+use crate::context::{Context, Root};
+use crate::debugger::{Line, StopReason, module_and_file};
+use crate::event::{Command, PlcState, RateKind, RuntimeEvent};
+use crate::execute::{Exit, run, run_watched};
+use crate::fault::{Fault, FaultKind};
+use crate::plan::{Job, PlanKind};
+use crate::ports::{self, InputImage};
+use crate::runtime::{Position, Runtime, TickOutcome};
+use crate::sequence;
+
+/// How far a job came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Progress {
+    Done,
+    /// Held by the debugger or by a fault.
+    Stopped,
+}
+
+impl Runtime {
+    /// One millisecond of the PLC: MODULE_FAST, and in every 20th the 20 ms cycle. When the debugger stops
+    /// in the middle, later calls execute only MODULE_CONT until [`resume`](Runtime::resume); the call after
+    /// that finishes the millisecond. Events are appended in the order they happen.
+    pub fn tick(&mut self, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) -> TickOutcome {
+        self.drop_held_tick_for_a_start();
+        if self.debugger.stop.is_some() {
+            self.hold(inputs, events);
+            return TickOutcome::Stopped;
+        }
+        if self.position.is_none() {
+            self.position = self.next_plan(events).map(at_start);
+        }
+        while let Some(position) = self.position {
+            let Some(job) = self.plans.job(position.plan, position.step) else {
+                self.position = self.finish_plan(position.plan, events).map(at_start);
+                continue;
+            };
+            if self.perform(job, inputs, events) == Progress::Stopped {
+                return TickOutcome::Stopped;
+            }
+            self.position = Some(Position { step: position.step + 1, entered: false, ..position });
+        }
+        TickOutcome::Done
+    }
+
+    /// A start does not wait for a held tick to be finished.
+    fn drop_held_tick_for_a_start(&mut self) {
+        if self.debugger.stop.is_none() {
+            return;
+        }
+        let start = self.commands.iter().rposition(|c| matches!(c, Command::StartPlc { .. }));
+        if let Some(at) = start {
+            self.commands.drain(..at);
+            self.debugger.stop = None;
+            self.debugger.focus = Line::Main;
+            self.position = None;
+        }
+    }
+
+    /// Acts on commands until one of them needs a plan; else the millisecond of a running PLC.
+    fn next_plan(&mut self, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+        while let Some(command) = self.commands.pop_front() {
+            if let Some(plan) = self.act(command, events) {
+                return Some(plan);
+            }
+        }
+        self.state.is_cycling().then_some(PlanKind::Fast)
+    }
+
+    fn act(&mut self, command: Command, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+        match command {
+            Command::StartPlc { cold } => {
+                self.start(cold, events);
+                return Some(PlanKind::Init);
+            }
+            Command::StopPlc { power_off } => {
+                if self.state == PlcState::Stopping {
+                    self.enter_stopped(events);
+                } else if self.state.is_cycling() {
+                    self.abort_block(events);
+                    self.machine.done_seen = 0;
+                    self.entry_dr = i64::from(!power_off);
+                    self.set_state(PlcState::Stopping, events);
+                    return Some(PlanKind::Done);
+                }
+            }
+            Command::ClearPlc => return Some(PlanKind::Clear),
+            Command::Halt => return (self.state != PlcState::Halted).then_some(PlanKind::Halt),
+            Command::StartBlock(block) => {
+                let accepted = if self.state.is_cycling() {
+                    self.block.accept(block)
+                } else {
+                    Err(Rejection::NotRunning)
+                };
+                if let Err(rejection) = accepted {
+                    events.push(RuntimeEvent::BlockRejected(rejection));
+                }
+            }
+            Command::ContinueBlock => self.block.restart(&mut self.machine.memory),
+            Command::AbortBlock => {
+                self.machine.memory.set_flag(system::AUTPI, false);
+                self.machine.memory.set_flag(system::CAPI, true);
+                self.abort_block(events);
+            }
+            Command::Event(code) => self.queue_event(code),
+        }
+        None
+    }
+
+    /// A plan is complete. Returns the plan that follows in the same millisecond.
+    fn finish_plan(&mut self, plan: PlanKind, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+        match plan {
+            PlanKind::Init | PlanKind::Done => self.settle(events),
+            PlanKind::Clear | PlanKind::Held => {}
+            PlanKind::Halt => {
+                self.abort_block(events);
+                self.set_state(PlcState::Halted, events);
+            }
+            PlanKind::Fast => {
+                self.report_overrun(RateKind::Fast, self.limits.per_fast, events);
+                if self.machine.millis.is_multiple_of(20) {
+                    return Some(PlanKind::Cycle);
+                }
+                self.end_millisecond(events);
+            }
+            PlanKind::Cycle => {
+                self.report_overrun(RateKind::Cycle, self.limits.per_cycle, events);
+                self.end_millisecond(events);
+            }
+        }
+        self.spent = 0;
+        None
+    }
+
+    fn end_millisecond(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.block.advance();
+        self.machine.millis += 1;
+        self.settle(events);
+    }
+
+    /// Starting and stopping end when all files have reported.
+    fn settle(&mut self, events: &mut Vec<RuntimeEvent>) {
+        let bits = |files: &[u8]| files.iter().fold(0_u64, |bits, file| bits | 1 << file);
+        let missing_init = bits(&self.program.init_finished) & !self.machine.init_seen;
+        let missing_done = bits(&self.program.done_finished) & !self.machine.done_seen;
+        match self.state {
+            PlcState::Starting if missing_init == 0 => self.set_state(PlcState::Running, events),
+            PlcState::Stopping if missing_done == 0 => self.enter_stopped(events),
+            _ => {}
+        }
+    }
+
+    fn report_overrun(&mut self, rate: RateKind, limit: Option<u64>, events: &mut Vec<RuntimeEvent>) {
+        let executed = core::mem::take(&mut self.spent);
+        if let Some(limit) = limit.filter(|limit| executed > *limit) {
+            events.push(RuntimeEvent::Overrun { cycle: self.cycle(), rate, executed, limit });
+        }
+    }
+
+    fn start(&mut self, cold: bool, events: &mut Vec<RuntimeEvent>) {
+        if cold {
+            self.initialise_memory();
+        }
+        if let Some(hidden) = self.program.region(RegionKind::Hidden) {
+            self.machine.memory.fill(hidden.start as usize, hidden.len as usize, 0);
+        }
+        self.abort_block(events);
+        self.block = BlockCycle::new();
+        self.machine.memory.set_flag(system::INPOS, true);
+        self.machine.millis = 0;
+        self.machine.init_seen = 0;
+        self.machine.done_seen = 0;
+        self.machine.state_since.fill(0);
+        self.plc_events.clear();
+        (self.main, self.fast, self.cont) = (Context::new(), Context::new(), Context::new());
+        self.outputs.fill(0);
+        self.spent = 0;
+        self.fault = None;
+        self.debugger.step = None;
+        self.debugger.focus = Line::Main;
+        self.entry_dr = i64::from(!cold);
+        self.set_state(PlcState::Starting, events);
+    }
+
+    /// Content of memory when a program is loaded and at a cold start.
+    pub(crate) fn initialise_memory(&mut self) {
+        let memory = self.machine.memory.bytes_mut();
+        memory.fill(0);
+        for data in &self.program.initial {
+            let start = data.addr as usize;
+            memory[start..start + data.bytes.len()].copy_from_slice(&data.bytes);
+        }
+    }
+
+    fn enter_stopped(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.outputs.fill(0);
+        self.set_state(PlcState::Stopped, events);
+    }
+
+    fn set_state(&mut self, state: PlcState, events: &mut Vec<RuntimeEvent>) {
+        if self.state != state {
+            self.state = state;
+            events.push(RuntimeEvent::StateChanged(state));
+        }
+    }
+
+    /// MODULE_CONT goes on while the rest is held.
+    fn hold(&mut self, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) {
+        let starting = self.position.is_some_and(|p| p.plan == PlanKind::Init);
+        self.debugger.held_millis += 1;
+        if !self.state.is_cycling() || starting || !self.debugger.held_millis.is_multiple_of(20) {
+            return;
+        }
+        let held = self.position.replace(at_start(PlanKind::Held));
+        let spent = self.spent;
+        let mut step = 0;
+        while let Some(job) = self.plans.job(PlanKind::Held, step) {
+            if self.perform(job, inputs, events) == Progress::Stopped {
+                return;
+            }
+            step += 1;
+            self.position = Some(Position { step, ..at_start(PlanKind::Held) });
+        }
+        self.position = held;
+        self.spent = spent;
+    }
+
+    fn perform(&mut self, job: Job, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) -> Progress {
+        let memory = &mut self.machine.memory;
+        match job {
+            Job::Inputs => ports::copy_inputs(memory, inputs),
+            Job::Outputs => ports::copy_outputs(memory, &mut self.outputs),
+            Job::FastInputs => {
+                for port in &self.fast_inputs {
+                    ports::copy_input(memory, inputs, *port);
+                }
+            }
+            Job::FastOutputs => {
+                for port in &self.fast_outputs {
+                    ports::copy_output(memory, &mut self.outputs, *port);
+                }
+            }
+            Job::Module(index) => return self.run_module(index, events),
+            Job::Block => return self.run_block(events),
+            Job::Events => return self.run_events(events),
+            Job::StopRequests => self.take_stop_request(),
+        }
+        Progress::Done
+    }
+
+    fn run_module(&mut self, index: usize, events: &mut Vec<RuntimeEvent>) -> Progress {
+        let module = self.program.modules[index];
+        let dr = matches!(module.kind, ModuleKind::Init | ModuleKind::Done).then_some(self.entry_dr);
+        self.enter(Line::of(module.kind), Root::Module(index), module.start, dr);
+        self.execute(Line::of(module.kind), is_stoppable(module.kind), events)
+    }
+
+    /// Begins the pass of this step unless it has begun already.
+    fn enter(&mut self, line: Line, root: Root, pc: u32, dr: Option<i64>) {
+        let Some(position) = &mut self.position else { return };
+        if core::mem::replace(&mut position.entered, true) {
+            return;
+        }
+        let budget = self.limits.per_pass;
+        let ctx = self.context(line);
+        ctx.enter(root, pc, budget);
+        ctx.regs.dr = dr.unwrap_or(ctx.regs.dr);
+    }
+
+    /// Executes until the pass is over or held.
+    fn execute(&mut self, line: Line, stoppable: bool, events: &mut Vec<RuntimeEvent>) -> Progress {
+        let Runtime { program, code, machine, debugger, main, fast, cont, .. } = self;
+        let ctx = match line {
+            Line::Main => main,
+            Line::Fast => fast,
+            Line::Cont => cont,
+        };
+        let exit = if stoppable && debugger.is_watching() {
+            let watch = |machine: &_, ctx: &_| debugger.reason_to_stop(program, code, machine, ctx);
+            run_watched(program, code, machine, ctx, events, &watch)
+        } else {
+            run(program, code, machine, ctx, events, stoppable)
+        };
+        match exit {
+            Exit::End => {
+                self.spent += ctx.spent();
+                if let Some(position) = &mut self.position {
+                    position.entered = false;
+                }
+                Progress::Done
+            }
+            Exit::Stop(reason) => {
+                self.debugger.hold(reason, line);
+                Progress::Stopped
+            }
+            Exit::Fault(kind) => {
+                self.enter_faulted(kind, line, events);
+                Progress::Stopped
+            }
+        }
+    }
+
+    fn enter_faulted(&mut self, kind: FaultKind, line: Line, events: &mut Vec<RuntimeEvent>) {
+        let ctx = self.context(line).clone();
+        let (module, file) = module_and_file(&self.program, &ctx);
+        let sequence = self.code.sequence_of(ctx.outermost());
+        let fault = Fault { kind, pc: ctx.pc, sequence, module, file, cycle: self.cycle() };
+        self.fault = Some(fault);
+        self.outputs.fill(0);
+        self.position = None;
+        self.debugger.hold(StopReason::Fault, line);
+        events.push(RuntimeEvent::Fault(fault));
+        self.set_state(PlcState::Faulted, events);
+    }
+
+    /// Block cycle: as far as it comes in this cycle.
+    fn run_block(&mut self, events: &mut Vec<RuntimeEvent>) -> Progress {
+        loop {
+            match self.block.stage {
+                Stage::Idle => {
+                    if !self.block.begin(&mut self.machine.memory) {
+                        return Progress::Done;
+                    }
+                    events.push(RuntimeEvent::BlockStarted { cycle: self.cycle() });
+                    self.activate(SequenceKind::BlockInit);
+                }
+                Stage::Preparing => {
+                    if self.run_block_module(ModuleKind::BlockInit, events) == Progress::Stopped {
+                        return Progress::Stopped;
+                    }
+                    if self.is_active(SequenceKind::BlockInit) {
+                        return Progress::Done;
+                    }
+                    self.block.release(&mut self.machine.memory);
+                }
+                Stage::Moving { .. } => {
+                    if !self.block.arrived() {
+                        return Progress::Done;
+                    }
+                    self.block.close(&mut self.machine.memory);
+                    self.activate(SequenceKind::BlockDone);
+                }
+                Stage::Closing => {
+                    if self.run_block_module(ModuleKind::BlockDone, events) == Progress::Stopped {
+                        return Progress::Stopped;
+                    }
+                    if !self.is_active(SequenceKind::BlockDone) {
+                        self.block.end(&mut self.machine.memory);
+                        events.push(RuntimeEvent::BlockFinished { cycle: self.cycle() });
+                    }
+                    return Progress::Done;
+                }
+            }
+        }
+    }
+
+    fn run_block_module(&mut self, kind: ModuleKind, events: &mut Vec<RuntimeEvent>) -> Progress {
+        match self.program.modules.iter().position(|m| m.kind == kind) {
+            Some(index) => self.run_module(index, events),
+            None => Progress::Done,
+        }
+    }
+
+    fn activate(&mut self, kind: SequenceKind) {
+        if let Some(number) = self.sequence_of_kind(kind) {
+            sequence::rest(&self.program, &mut self.machine, number);
+            let bit = sequence::activation(&self.program.sequences[usize::from(number)]);
+            // Without its module nothing would ever clear the bit.
+            let has_module =
+                module_of(&self.program, self.program.sequences[usize::from(number)].start).is_some();
+            self.machine.memory.set_flag(bit, has_module);
+        }
+    }
+
+    fn is_active(&self, kind: SequenceKind) -> bool {
+        self.sequence_of_kind(kind).is_some_and(|number| {
+            let bit = sequence::activation(&self.program.sequences[usize::from(number)]);
+            self.machine.memory.flag(bit)
+        })
+    }
+
+    /// Breaks the block in progress, rewinds the block modules and forgets queued blocks.
+    fn abort_block(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.block.queue.clear();
+        self.machine.memory.set_word(system::CNT_NEXT_BLOCKS, 0);
+        if self.block.stage == Stage::Idle {
+            return;
+        }
+        for kind in [SequenceKind::BlockInit, SequenceKind::BlockDone] {
+            if let Some(number) = self.sequence_of_kind(kind) {
+                sequence::rest(&self.program, &mut self.machine, number);
+            }
+        }
+        self.block.end(&mut self.machine.memory);
+        events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
+    }
+
+    fn take_stop_request(&mut self) {
+        if let Some(code) = self.block.take_stop_request(&mut self.machine.memory) {
+            self.queue_event(code);
+            if self.block.stop(&mut self.machine.memory) {
+                self.queue_event(system::event::STOP);
+            }
+        }
+    }
+
+    /// Events nobody handles are dropped, and so is one beyond the bound.
+    fn queue_event(&mut self, code: i64) {
+        if self.code.on_event.is_some() && self.plc_events.len() < QUEUE_LEN {
+            self.plc_events.push_back(code);
+        }
+    }
+
+    fn run_events(&mut self, events: &mut Vec<RuntimeEvent>) -> Progress {
+        let Some(procedure) = self.code.on_event else { return Progress::Done };
+        let start = self.program.procedures[usize::from(procedure)].start;
+        loop {
+            if !self.position.is_some_and(|p| p.entered) {
+                let Some(code) = self.plc_events.pop_front() else { return Progress::Done };
+                self.enter(Line::Main, Root::Procedure, start, Some(code));
+            }
+            if self.execute(Line::Main, true, events) == Progress::Stopped {
+                return Progress::Stopped;
+            }
+        }
+    }
+}
+
+fn at_start(plan: PlanKind) -> Position {
+    Position { plan, step: 0, entered: false }
+}

@@ -1,0 +1,306 @@
+//! The block cycle: functions, BLOCK_INIT, movement, BLOCK_DONE, stops (manual 5.2, 8.1, 8.2).
+
+use technol_image::op::{BitRef, Cond, Op, Width};
+use technol_image::program::ModuleKind;
+use technol_image::system::{self, PB00};
+use technol_runtime::{Block, BlockMode, Command, Rejection, RuntimeEvent};
+
+use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, ldr, set, sto};
+
+const READY: BitRef = bit(A, 0);
+const STOP: BitRef = system::STOPPI;
+
+/// BLOCK_INIT waits for READY when M10 is programmed; BLOCK_DONE never waits. Passes are counted.
+fn machine() -> Bench {
+    let mut b = Builder::new();
+    b.block_module(ModuleKind::BlockInit, |b| {
+        let through = b.label();
+        b.ops(count(A + 2));
+        b.op(ldr(system::M10PID));
+        b.jump(through, Cond::IfNotRlo);
+        b.bex();
+        b.op(ldr(READY));
+        b.ex_if(false);
+        b.place(through);
+    });
+    b.block_module(ModuleKind::BlockDone, |b| b.ops(count(A + 4)));
+    b.module(ModuleKind::Main, 0, |b| b.ops(count(A + 6)));
+    // The two last codes are at A+8 and, before it, at A+16.
+    let remember = Op::Move { dst: cell(A + 16), src: cell(A + 8), width: Width::DWord, cond: Cond::Always };
+    let handler = [remember, sto(A + 8, Width::DWord)];
+    b.procedure("_ON_EVENT", handler.into_iter().chain(count(A + 12)));
+    b.load().started()
+}
+
+fn block(m: &[u8], motion_ms: u32) -> Block {
+    Block { m: m.into(), motion_ms, ..Block::default() }
+}
+
+fn block_events(bench: &Bench) -> Vec<(&'static str, u64)> {
+    bench
+        .events
+        .iter()
+        .filter_map(|event| match event {
+            RuntimeEvent::BlockStarted { cycle } => Some(("started", *cycle)),
+            RuntimeEvent::BlockFinished { cycle } => Some(("finished", *cycle)),
+            RuntimeEvent::BlockAborted { cycle } => Some(("aborted", *cycle)),
+            _ => None,
+        })
+        .collect()
+}
+
+#[test]
+fn block_without_movement_passes_both_modules_in_one_cycle() {
+    let mut bench = machine();
+    bench.cycles(2);
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(1);
+    assert_eq!(block_events(&bench), [("started", 2), ("finished", 2)]);
+    assert_eq!((bench.word(A + 2), bench.word(A + 4), bench.word(A + 6)), (1, 1, 3));
+    assert!(!bench.bit(system::PO_F) && bench.bit(system::PO_POL) && bench.bit(system::INPOS));
+}
+
+#[test]
+fn preparation_then_movement_then_closing() {
+    let mut bench = machine();
+    bench.command(Command::StartBlock(block(&[10], 400)));
+    bench.cycles(3);
+    assert_eq!((bench.word(A + 2), bench.bit(system::PO_F)), (1, true), "waits for READY after its BEX");
+    assert!(bench.bit(system::M10PID));
+    bench.set(READY, true);
+    bench.cycles(1);
+    assert!(!bench.bit(system::INPOS) && !bench.bit(system::PO_POL), "moves");
+    bench.cycles(19);
+    assert_eq!(bench.word(A + 4), 0);
+    bench.cycles(1);
+    assert_eq!(bench.word(A + 4), 1);
+    assert_eq!(block_events(&bench), [("started", 0), ("finished", 23)]);
+    assert!(bench.bit(system::PO_POL) && !bench.bit(system::M10PID) && !bench.bit(system::PO_F));
+    assert_eq!(bench.word(A + 6), 24, "MODULE_MAIN runs in every cycle");
+}
+
+#[test]
+fn queued_blocks_follow_one_per_cycle() {
+    let mut bench = machine();
+    for _ in 0..16 {
+        bench.command(Command::StartBlock(block(&[], 0)));
+    }
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.millis(1);
+    assert_eq!(bench.word(system::CNT_NEXT_BLOCKS), 15);
+    assert!(bench.events.contains(&RuntimeEvent::BlockRejected(Rejection::QueueFull)));
+    bench.cycles(20);
+    assert_eq!(block_events(&bench).len(), 32);
+    assert_eq!(block_events(&bench)[31], ("finished", 15));
+}
+
+#[test]
+fn block_is_rejected_when_stopped_or_out_of_range() {
+    let mut bench = machine();
+    for bad in [
+        block(&[100], 0),
+        Block { h: Some(100), ..Block::default() },
+        Block { t: Some(100_000_000), ..Block::default() },
+        Block { s: Some(0x8000), ..Block::default() },
+    ] {
+        bench.events.clear();
+        bench.command(Command::StartBlock(bad));
+        bench.millis(1);
+        assert_eq!(bench.events, [RuntimeEvent::BlockRejected(Rejection::OutOfRange)]);
+    }
+    bench.command(Command::StopPlc { power_off: false });
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.millis(2);
+    assert!(bench.events.contains(&RuntimeEvent::BlockRejected(Rejection::NotRunning)));
+}
+
+/// Cells after a block with these M functions is taken over and waits in preparation.
+fn taken_over(m: &[u8]) -> Bench {
+    let mut bench = machine();
+    let m: Vec<u8> = m.iter().copied().chain([10]).collect();
+    bench.command(Command::StartBlock(block(&m, 0)));
+    bench.cycles(1);
+    bench
+}
+
+fn change_bits(bench: &Bench) -> Vec<u8> {
+    let word = bench.word(system::ZMM1PI.addr) & 0x3FFF;
+    (1..=14).filter(|group| word >> (group - 1) & 1 != 0).collect()
+}
+
+#[test]
+fn m_functions_set_the_cells_of_their_group() {
+    let spindle = [system::M03PI, system::M04PI, system::M19PI];
+    for (m, code, bits) in [
+        (3, 0x03, [true, false, false]),
+        (4, 0x04, [false, true, false]),
+        (5, 0x05, [false, false, false]),
+        (19, 0x19, [false, false, true]),
+    ] {
+        let bench = taken_over(&[4, m]);
+        assert_eq!(bench.byte(PB00 + 6), code);
+        assert_eq!(spindle.map(|bit| bench.bit(bit)), bits, "M{m:02}");
+        assert_eq!(change_bits(&bench), [2, 7]);
+    }
+    for (m, coolant) in [(7, [true, false]), (8, [false, true]), (9, [false, false]), (17, [true, true])] {
+        let bench = taken_over(&[17, m]);
+        assert_eq!([system::M07PI, system::M08PI].map(|bit| bench.bit(bit)), coolant, "M{m:02}");
+        assert_eq!(change_bits(&bench), [5, 7]);
+    }
+    for (m, coolant) in [(50, [true, false]), (51, [false, true]), (52, [true, true]), (53, [false, false])] {
+        let bench = taken_over(&[52, m]);
+        assert_eq!([system::M50PI, system::M51PI].map(|bit| bench.bit(bit)), coolant, "M{m:02}");
+        assert_eq!(change_bits(&bench), [6, 7]);
+    }
+    for gear in 0..4 {
+        let bench = taken_over(&[42, 41 + gear]);
+        let gears = bench.byte(system::M41PI.addr) >> system::M41PI.bit & 0xF;
+        assert_eq!(gears, 1 << gear);
+        assert_eq!(change_bits(&bench), [3, 7]);
+    }
+    let one_block = [
+        (0, system::M00_PID, 1),
+        (1, system::M01_PID, 1),
+        (2, system::M02_PID, 1),
+        (30, system::M30_PID, 1),
+        (11, system::M11PID, 7),
+        (6, system::M06PID, 9),
+        (60, system::M60PI, 9),
+    ];
+    for (m, flag, group) in one_block {
+        let bench = taken_over(&[m]);
+        assert!(bench.bit(flag), "M{m:02}");
+        assert!(change_bits(&bench).contains(&group));
+    }
+    let bench = taken_over(&[77]);
+    assert_eq!((bench.byte(PB00 + 16), change_bits(&bench)), (0x77, vec![7, 14]));
+}
+
+#[test]
+fn static_bits_stay_and_one_block_bits_go_with_the_block() {
+    let mut bench = taken_over(&[3, 8, 30]);
+    bench.set(READY, true);
+    bench.cycles(1);
+    assert!(bench.bit(system::M03PI) && bench.bit(system::M08PI));
+    assert!(!bench.bit(system::M30_PID) && !bench.bit(system::M10PID));
+    assert!(change_bits(&bench).is_empty());
+}
+
+#[test]
+fn numbers_and_mode_are_in_their_cells() {
+    let mut bench = machine();
+    bench.command(Command::StartBlock(Block {
+        m: vec![10],
+        t: Some(12_345_678),
+        s: Some(0x7FFF),
+        h: Some(42),
+        motion_ms: 0,
+        rapid: true,
+        mode: BlockMode::Reference,
+    }));
+    bench.cycles(1);
+    let cells = [7, 8, 9, 10].map(|n| bench.byte(PB00 + n));
+    assert_eq!(cells, [0x78, 0x56, 0x34, 0x12]);
+    assert_eq!((bench.word(PB00 + 11), bench.byte(PB00 + 5)), (0x7FFF, 0x42));
+    assert!(bench.bit(system::ZMSTPI) && bench.bit(system::ZMSHPI) && bench.bit(system::G00PI));
+    let modes = [system::AUTPI, system::CAPI, system::REFPI].map(|flag| bench.bit(flag));
+    assert_eq!(modes, [false, false, true]);
+}
+
+#[test]
+fn start_waits_while_the_plc_forbids_it() {
+    for forbids in [system::START_DISABLE, system::START_SUSPEND] {
+        let mut bench = machine();
+        bench.set(forbids, true);
+        bench.command(Command::StartBlock(block(&[], 0)));
+        bench.cycles(3);
+        assert!(block_events(&bench).is_empty());
+        bench.set(forbids, false);
+        bench.cycles(1);
+        assert_eq!(block_events(&bench).len(), 2);
+    }
+}
+
+#[test]
+fn stop_request_holds_the_movement_until_the_next_start() {
+    for (request, code, stays) in
+        [(STOP, 1, true), (system::STOP_REQ, 1, false), (system::STOP_EMERGENCY_REQ, 2, false)]
+    {
+        let mut bench = machine();
+        bench.command(Command::StartBlock(block(&[], 100)));
+        bench.command(Command::StartBlock(block(&[], 0)));
+        bench.cycles(2);
+        bench.set(request, true);
+        bench.cycles(1);
+        assert!(bench.bit(system::PO_STOP) && bench.bit(system::PO_F) && bench.bit(system::INPOS));
+        assert_eq!(bench.bit(request), stays, "an acknowledged request is cleared");
+        bench.cycles(50);
+        assert_eq!(block_events(&bench), [("started", 0)]);
+        let codes = [bench.word(A + 16), bench.word(A + 8)];
+        assert_eq!((bench.word(A + 12), codes), (2, [code, 3]), "the request, then STOP");
+        bench.command(Command::ContinueBlock);
+        bench.cycles(1);
+        assert!(!bench.bit(system::PO_STOP) && bench.bit(system::BLOCK_RESTART));
+        assert_eq!(bench.byte(system::STATUS_RESTART), 2);
+        bench.cycles(5);
+        assert_eq!(block_events(&bench).len(), 2, "the queued block is forgotten");
+        assert!(bench.bit(system::PO_POL) && !bench.bit(system::BLOCK_RESTART));
+    }
+}
+
+#[test]
+fn stop_level_that_stays_1_stops_only_once() {
+    let mut bench = machine();
+    bench.set(STOP, true);
+    bench.cycles(1);
+    assert!(!bench.bit(system::PO_STOP), "nothing was running");
+    bench.command(Command::StartBlock(block(&[], 40)));
+    bench.cycles(3);
+    assert_eq!(block_events(&bench).len(), 2);
+}
+
+#[test]
+fn central_annulment_breaks_the_block_and_rewinds() {
+    let mut bench = taken_over(&[]);
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(1);
+    bench.command(Command::AbortBlock);
+    bench.cycles(1);
+    assert_eq!(block_events(&bench), [("started", 0), ("aborted", 2)]);
+    let init = bench.sequence(0);
+    assert_eq!((init.active, init.resume, init.waiting), (false, 0, None));
+    assert!(bench.bit(system::CAPI) && !bench.bit(system::PO_F) && !bench.bit(system::M10PID));
+    bench.command(Command::StartBlock(block(&[10], 0)));
+    bench.cycles(1);
+    assert_eq!(bench.word(A + 2), 2, "BLOCK_INIT begins at its start");
+    assert!(!bench.bit(system::CAPI));
+}
+
+#[test]
+fn stopping_the_plc_breaks_the_block() {
+    let mut bench = taken_over(&[]);
+    bench.command(Command::StopPlc { power_off: false });
+    bench.millis(1);
+    assert_eq!(block_events(&bench), [("started", 0), ("aborted", 1)]);
+    assert!(!bench.bit(system::PO_F));
+}
+
+#[test]
+fn time_in_a_block_module_is_counted_in_cycles() {
+    let mut b = Builder::new();
+    b.block_module(ModuleKind::BlockInit, |b| b.tim(A + 2, technol_image::op::Source::Int(4)));
+    b.block_module(ModuleKind::BlockDone, |b| {
+        b.ex();
+        b.op(set(READY, true));
+    });
+    b.module(ModuleKind::Main, 0, |b| b.ops([]));
+    let mut bench = b.load().started();
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(4);
+    assert!(!bench.bit(system::PO_POL));
+    bench.cycles(1);
+    assert!(bench.bit(system::PO_POL) && !bench.bit(READY), "then EX of BLOCK_DONE waits one cycle");
+    bench.cycles(1);
+    assert!(bench.bit(READY));
+    assert_eq!(block_events(&bench), [("started", 0), ("finished", 5)]);
+}

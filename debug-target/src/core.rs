@@ -1,0 +1,316 @@
+//! A simulation under the control of a debugger: time goes in, events come out. Requests are in
+//! [`answer`](crate::answer).
+
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use technol_image::container::{content_hash, hash_bytes};
+use technol_image::{ContentHash, Program};
+use technol_machine::MachineConfig;
+use technol_runtime::{Command, RateKind, Resume, RuntimeEvent, StopReason};
+use technol_wire::message::{Chunk, Event, PlcState, Status};
+
+use crate::clock::{CYCLE, Pacer};
+use crate::convert;
+use crate::simulation::{Simulation, SimulationError};
+
+/// Wall time that virtual cycles may take before the link is looked at again.
+const VIRTUAL_SLICE: Duration = Duration::from_millis(2);
+
+/// What time the program runs in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Clock {
+    /// A cycle takes 20 ms.
+    #[default]
+    Real,
+    /// Cycles run as fast as they can while a host is there.
+    Virtual,
+}
+
+/// How a target is set up.
+#[derive(Clone, Debug, Default)]
+pub struct TargetOptions {
+    /// Time.
+    pub clock: Clock,
+    /// The machine behind every program that is loaded.
+    pub machine: Option<MachineConfig>,
+    /// Loaded at once.
+    pub program: Option<Program>,
+    /// Started at once (cold), as at power-on.
+    pub start: bool,
+}
+
+/// An announced download.
+#[derive(Debug)]
+pub(crate) struct Download {
+    pub(crate) hash: ContentHash,
+    pub(crate) bytes: Vec<u8>,
+}
+
+impl Download {
+    pub(crate) fn is_intact(&self) -> bool {
+        hash_bytes(&self.bytes) == self.hash
+    }
+}
+
+/// A target without a link. It outlives links and host sessions.
+pub struct TargetCore {
+    clock: Clock,
+    machine: Option<MachineConfig>,
+    pub(crate) simulation: Option<Simulation>,
+    pub(crate) program: Option<ContentHash>,
+    pub(crate) download: Option<Download>,
+    boot: u32,
+    /// Number of the host session that is attached.
+    pub(crate) session: Option<u32>,
+    /// The host was told that the program is held.
+    held: bool,
+    pub(crate) pacer: Pacer,
+    occurred: Vec<RuntimeEvent>,
+    pub(crate) events: Vec<Event>,
+}
+
+impl TargetCore {
+    /// Sets a target up.
+    ///
+    /// # Errors
+    /// A program or a machine that is wrong.
+    pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
+        let TargetOptions { clock, machine, program, start } = options;
+        let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        let mut core = TargetCore {
+            clock,
+            machine,
+            simulation: None,
+            program: None,
+            download: None,
+            // Differs from start to start, which is all it has to do.
+            boot: since_epoch.as_millis() as u32 ^ std::process::id().rotate_left(16),
+            session: None,
+            held: false,
+            pacer: Pacer::new(),
+            occurred: Vec::new(),
+            events: Vec::new(),
+        };
+        if let Some(program) = program {
+            let hash = content_hash(&program);
+            core.load(program, hash)?;
+            if let Some(simulation) = core.simulation.as_mut().filter(|_| start) {
+                simulation.start(true);
+            }
+        } else if core.machine.is_some() {
+            // An unusable machine is told now, not with the first program.
+            Simulation::new(empty_program(), core.machine.as_ref())?;
+        }
+        Ok(core)
+    }
+
+    /// Replaces the program; the old one stays when the new one is refused.
+    pub(crate) fn load(&mut self, program: Program, hash: ContentHash) -> Result<(), SimulationError> {
+        self.simulation = Some(Simulation::new(program, self.machine.as_ref())?);
+        self.program = Some(hash);
+        self.held = false;
+        Ok(())
+    }
+
+    /// State at this moment.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        let Some(simulation) = &self.simulation else {
+            return Status { plc: PlcState::Empty, held: false, cycle: 0, program: None };
+        };
+        let plc = simulation.runtime();
+        Status {
+            plc: convert::state(plc.state()),
+            held: plc.stopped().is_some(),
+            cycle: plc.cycle(),
+            program: self.program,
+        }
+    }
+
+    /// Number of this start of the target.
+    #[must_use]
+    pub fn boot(&self) -> u32 {
+        self.boot
+    }
+
+    /// The simulation, once a program is loaded.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&Simulation> {
+        self.simulation.as_ref()
+    }
+
+    /// Events since the last call.
+    pub fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// A piece of the announced download.
+    pub fn chunk(&mut self, chunk: &Chunk) {
+        let Some(download) = &mut self.download else { return };
+        let start = chunk.offset as usize;
+        if let Some(place) = download.bytes.get_mut(start..start + chunk.bytes.len()) {
+            place.copy_from_slice(&chunk.bytes);
+        }
+    }
+
+    /// The host is gone: break-points are removed and a held program runs on, since nobody is left to let it go.
+    pub fn host_lost(&mut self) {
+        self.session = None;
+        self.download = None;
+        self.let_go();
+        self.events.clear();
+    }
+
+    /// Removes break-points and lets a held program run on.
+    pub(crate) fn let_go(&mut self) {
+        if let Some(simulation) = &mut self.simulation {
+            let plc = simulation.runtime_mut();
+            plc.set_breakpoints(&[]);
+            // After a fault there is nothing to go on with, and its registers may still be wanted.
+            if plc.stopped().is_some_and(|stop| stop.reason != StopReason::Fault) {
+                plc.resume(Resume::Continue);
+                self.pacer.at_once();
+            }
+        }
+        self.note_hold();
+    }
+
+    /// Stops the PLC through MODULE_DONE, also when the debugger holds it.
+    pub(crate) fn stop_plc(&mut self) {
+        if let Some(simulation) = &mut self.simulation {
+            let plc = simulation.runtime_mut();
+            plc.command(Command::StopPlc { power_off: false });
+            if plc.stopped().is_some_and(|stop| stop.reason != StopReason::Fault) {
+                plc.resume(Resume::Continue);
+            }
+            self.pacer.at_once();
+        }
+        self.note_hold();
+    }
+
+    /// Lets time pass up to `now`. Answers when there is something to do again: `None` when only a request can
+    /// change anything. `crowded`: more events wait than the link can carry; virtual time then stands still.
+    pub fn advance(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+        let running = self.simulation.as_ref().is_some_and(|s| {
+            s.runtime().state().is_cycling() && s.runtime().stopped().is_none()
+        });
+        if self.clock == Clock::Virtual && running {
+            return self.advance_virtual(now, crowded);
+        }
+        self.simulation.as_ref()?;
+        if self.pacer.is_due(now) {
+            self.run_cycle();
+            let behind = self.pacer.done(now, Instant::now());
+            if behind && running && self.clock == Clock::Real {
+                let cycle = self.status().cycle.saturating_sub(1);
+                self.events.push(Event::Overrun { cycle, fast: false });
+            }
+        }
+        Some(self.pacer.next())
+    }
+
+    fn advance_virtual(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+        self.session?;
+        while !crowded && self.events.is_empty() && now.elapsed() < VIRTUAL_SLICE {
+            self.run_cycle();
+            if self.held || !self.status().plc.is_cycling() {
+                break;
+            }
+        }
+        Some(if crowded { now + Duration::from_millis(1) } else { now })
+    }
+
+    /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
+    fn run_cycle(&mut self) {
+        let Some(simulation) = &mut self.simulation else { return };
+        if simulation.runtime().stopped().is_some() {
+            for _ in 0..CYCLE.as_millis() {
+                simulation.tick(&mut self.occurred);
+            }
+        } else {
+            simulation.cycle(&mut self.occurred);
+        }
+        self.report();
+    }
+
+    /// Turns what occurred in the runtime into events for the host.
+    fn report(&mut self) {
+        let mut occurred = std::mem::take(&mut self.occurred);
+        for event in occurred.drain(..) {
+            match event {
+                RuntimeEvent::Message { cycle, number, sub_id, set, parameters, pc } => {
+                    let number = u16::try_from(number).unwrap_or(u16::MAX);
+                    let parameters = parameters.into_iter().flatten().collect();
+                    self.events.push(Event::Message { cycle, number, sub_id, set, parameters, pc });
+                }
+                RuntimeEvent::Overrun { cycle, rate, .. } => {
+                    self.events.push(Event::Overrun { cycle, fast: rate == RateKind::Fast });
+                }
+                RuntimeEvent::StateChanged(_) => self.events.push(Event::State(self.status())),
+                RuntimeEvent::Fault(fault) => {
+                    self.note_hold();
+                    self.events.push(Event::Fault(convert::fault(&fault)));
+                }
+                RuntimeEvent::BlockRejected(why) => {
+                    self.events.push(Event::Log(format!("a part-program block was not started: {why}")));
+                }
+                RuntimeEvent::BlockStarted { .. }
+                | RuntimeEvent::BlockFinished { .. }
+                | RuntimeEvent::BlockAborted { .. } => {}
+            }
+        }
+        self.occurred = occurred;
+        self.note_hold();
+        self.release_if_alone();
+    }
+
+    /// Tells the host when the program has become held, or goes on.
+    pub(crate) fn note_hold(&mut self) {
+        let stop = self.simulation.as_ref().and_then(|s| s.runtime().stopped());
+        let was_held = std::mem::replace(&mut self.held, stop.is_some());
+        if stop.is_some() && !was_held {
+            self.repeat_stop();
+        } else if was_held && stop.is_none() {
+            self.events.push(Event::Resumed);
+        }
+    }
+
+    /// Tells the host where the program is held, if it is.
+    pub(crate) fn repeat_stop(&mut self) {
+        if let Some(plc) = self.simulation.as_ref().map(Simulation::runtime)
+            && let Some(stop) = plc.stopped()
+        {
+            self.events.push(Event::Stopped(convert::stopped(plc, &stop)));
+        }
+    }
+
+    /// A stop that was asked for by a host that is gone by now.
+    fn release_if_alone(&mut self) {
+        if self.session.is_none() {
+            if self.held {
+                self.let_go();
+            }
+            self.events.clear();
+        }
+    }
+}
+
+/// A program without anything, to try a machine on.
+fn empty_program() -> Program {
+    use technol_image::program::{Region, RegionKind};
+    let system = Region { kind: RegionKind::System, start: 0, len: technol_image::system::LEN };
+    Program {
+        name: String::new(),
+        regions: vec![system],
+        code: Vec::new(),
+        statements: Vec::new(),
+        modules: Vec::new(),
+        sequences: Vec::new(),
+        timed: Vec::new(),
+        messages: Vec::new(),
+        procedures: Vec::new(),
+        initial: Vec::new(),
+        init_finished: Vec::new(),
+        done_finished: Vec::new(),
+    }
+}
