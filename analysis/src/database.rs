@@ -13,7 +13,8 @@ use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Exports};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::scope::{Scope, Symbol, SymbolKind};
-use crate::semantics::program::Parts;
+use crate::semantics::layout::{DataBlock, Layout};
+use crate::semantics::program::{Parts, RecursiveCall};
 use crate::semantics::{self, collect};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{self, ParsedLines};
@@ -215,6 +216,34 @@ pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section
 #[salsa::tracked]
 pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
     crate::diagnostics::file::collect(db, project, file)
+}
+
+/// Where everything lies in memory.
+#[salsa::tracked]
+pub fn layout(db: &dyn Db, project: Project) -> Layout {
+    let parts = &parts(db, project).parts;
+    let blocks: Vec<DataBlock<'_>> = parts
+        .iter()
+        .map(|part| DataBlock {
+            kind: part.kind,
+            name: part.section.name(db),
+            file: part.file,
+            declarations: resolved_declarations(db, project, part.section),
+        })
+        .collect();
+    Layout::compute(&blocks)
+}
+
+/// Whether bytes at an offset from a symbol lie in the data of the program, or in the control's own cells for a
+/// predefined symbol.
+pub fn inside_data(db: &dyn Db, project: Project, symbol: &SymbolKey, offset: i64, bytes: u32) -> bool {
+    semantics::program::inside_data(db, project, symbol, offset, bytes)
+}
+
+/// Calls that close a circle of procedures.
+#[salsa::tracked]
+pub fn recursive_calls<'db>(db: &'db dyn Db, project: Project) -> Vec<RecursiveCall<'db>> {
+    semantics::program::recursive_calls(db, project)
 }
 
 /// A predefined symbol.

@@ -54,3 +54,20 @@ impl Project {
         self.loaded.files.iter().find(|f| f.path == file).map(|f| &*f.text)
     }
 }
+
+impl Project {
+    /// Folder of the project.
+    pub(crate) fn folder(&self) -> PathBuf {
+        PathBuf::from(&self.loaded.root)
+    }
+
+    /// Name of the project: what results are called.
+    pub(crate) fn name(&self) -> String {
+        self.loaded.manifest.name.clone()
+    }
+
+    /// The machine file that the manifest names.
+    pub(crate) fn machine(&self) -> Option<PathBuf> {
+        self.loaded.manifest.machine.as_ref().map(|file| self.folder().join(&file.text))
+    }
+}

@@ -58,6 +58,11 @@ pub enum ClientError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mark(usize);
 
+impl Mark {
+    /// Before the first message.
+    pub const START: Mark = Mark(0);
+}
+
 /// A conversation with an adapter.
 pub struct Client {
     output: Box<dyn Write + Send>,
@@ -163,7 +168,7 @@ impl Client {
 
     /// Waits for the answer to request `seq`.
     pub fn response(&mut self, seq: i64) -> Result<Value, ClientError> {
-        let response = self.wait(Mark(0), &format!("response to request {seq}"), |m| {
+        let response = self.wait(Mark::START, &format!("response to request {seq}"), |m| {
             m["type"] == "response" && m["request_seq"] == seq
         })?;
         if response["success"] == true {
@@ -312,7 +317,7 @@ impl Client {
 
     fn last(&self) -> String {
         let from = self.timeline.len().saturating_sub(6);
-        self.timeline[from..].iter().map(|m| format!("  {m}\n")).collect()
+        self.timeline[from..].iter().map(|m| format!("  {m}")).collect::<Vec<_>>().join("\n")
     }
 }
 

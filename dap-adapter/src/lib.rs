@@ -13,6 +13,8 @@ mod errors;
 mod expression;
 mod mechanisms;
 mod memory;
+#[cfg(test)]
+mod mock;
 mod outbox;
 mod ports;
 mod project;

@@ -117,7 +117,9 @@ mod tests {
         ) {
             let memory: Vec<u8> = (0..3000_u32).map(|n| (n * 7 + n / 256) as u8).collect();
             let mut plan = ReadPlan::default();
-            wanted.iter().for_each(|(addr, len)| plan.want(*addr, *len));
+            for (addr, len) in &wanted {
+                plan.want(*addr, *len);
+            }
             let mut view = MemoryView::default();
             for pieces in plan.requests(max_read) {
                 prop_assert!(pieces.iter().map(|p| u32::from(p.1)).sum::<u32>() <= u32::from(max_read));

@@ -127,7 +127,9 @@ mod tests {
         outbox.event(&Event::Thread(ThreadEventBody { reason: ThreadEventReason::Started, thread_id: 1 }));
         outbox.event(&Event::Terminated(None));
         let mut decoder = Decoder::default();
-        sent.try_iter().for_each(|bytes| decoder.push(&bytes));
+        for bytes in sent.try_iter() {
+            decoder.push(&bytes);
+        }
         let messages: Vec<Value> = std::iter::from_fn(|| decoder.next())
             .map(|m| if let Incoming::Message(v) = m { v } else { panic!("{m:?}") })
             .collect();

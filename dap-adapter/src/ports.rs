@@ -131,10 +131,12 @@ fn note_copy(op: &Op, next: Option<&Op>, names: &Names, found: &mut Found) {
 
 fn note_bit(src: BitRef, dst: BitRef, names: &Names, found: &mut Found) {
     for (port, other) in [(src, dst), (dst, src)] {
-        if is_port(port.addr) && !is_port(other.addr) && !port.indexed && !other.indexed {
-            if let (Some(bits), Some(name)) = (found.get_mut(&port.addr), names.get(&(other.addr, other.bit))) {
-                bits[usize::from(port.bit & 7)].get_or_insert_with(|| name.clone());
-            }
+        if is_port(port.addr)
+            && !is_port(other.addr)
+            && !(port.indexed || other.indexed)
+            && let (Some(bits), Some(name)) = (found.get_mut(&port.addr), names.get(&(other.addr, other.bit)))
+        {
+            bits[usize::from(port.bit & 7)].get_or_insert_with(|| name.clone());
         }
     }
 }

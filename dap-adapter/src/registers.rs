@@ -1,5 +1,6 @@
 //! The registers as the user sees and sets them.
 
+use technol_analysis::expression::{self, RegisterChange, RegisterValues};
 use technol_image::op::{STACK_DEPTH, Width};
 use technol_wire::message::Registers;
 
@@ -49,23 +50,35 @@ impl Register {
         }
     }
 
-    /// The registers after this one was set.
-    pub(crate) fn set(self, registers: &Registers, text: &str) -> Result<Registers, String> {
-        let mut new = *registers;
-        match self {
-            Register::Rlo => new.rlo = values::parse_bit(text)?,
-            Register::Dr(Width::Real) => new.dr_real = f64::from_bits(values::parse_cell(text, Width::Real)?),
-            Register::Dr(width) => {
-                // As STO does in the other direction: a part is replaced, the rest stays.
-                let keep = (registers.dr as u64).checked_shr(width.bits()).unwrap_or(0);
-                let rest = keep.checked_shl(width.bits()).unwrap_or(0);
-                new.dr = (rest | values::parse_cell(text, width)?) as i64;
-            }
-            Register::Bx => new.bx = values::parse_cell(text, Width::DWord)? as u32,
-            Register::Stack => return Err("the equation stack cannot be set; the equation would not balance".into()),
-        }
-        Ok(new)
+    /// The register as expressions know it; the stack is none.
+    pub(crate) fn target(self) -> Option<expression::Register> {
+        Some(match self {
+            Register::Rlo => expression::Register::Rlo,
+            Register::Dr(Width::Real) => expression::Register::DrReal,
+            Register::Dr(width) => expression::Register::DrPart(width),
+            Register::Bx => expression::Register::Bx,
+            Register::Stack => return None,
+        })
     }
+}
+
+impl From<expression::Register> for Register {
+    fn from(register: expression::Register) -> Self {
+        match register {
+            expression::Register::Rlo => Register::Rlo,
+            expression::Register::Dr => Register::Dr(Width::QWord),
+            expression::Register::DrPart(width) => Register::Dr(width),
+            expression::Register::DrReal => Register::Dr(Width::Real),
+            expression::Register::Bx => Register::Bx,
+        }
+    }
+}
+
+/// The registers after a change; the equation stack stays.
+pub(crate) fn changed(registers: &Registers, change: RegisterChange) -> Registers {
+    let Registers { rlo, dr, dr_real, bx, .. } = *registers;
+    let RegisterValues { rlo, dr, dr_real, bx } = change.apply(RegisterValues { rlo, dr, dr_real, bx });
+    Registers { rlo, dr, dr_real, bx, ..*registers }
 }
 
 /// The pushed values, top first.
@@ -109,10 +122,7 @@ mod tests {
 
     #[test]
     fn setting_a_part_keeps_the_rest() {
-        let set = |register: Register, text| register.set(&sample(), text).map(|r| r.dr);
-        assert_eq!(set(Register::Dr(Width::Byte), "0"), Ok(-256));
-        assert_eq!(set(Register::Dr(Width::QWord), "7"), Ok(7));
-        assert_eq!(Register::Dr(Width::Real).set(&sample(), "2").map(|r| r.dr_real), Ok(2.0));
-        assert!(set(Register::Stack, "0").is_err());
+        assert_eq!(changed(&sample(), RegisterChange::Dr(Width::Byte, 0)), Registers { dr: -256, ..sample() });
+        assert_eq!(changed(&sample(), RegisterChange::DrReal(2.0)), Registers { dr_real: 2.0, ..sample() });
     }
 }

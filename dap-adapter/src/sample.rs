@@ -182,7 +182,7 @@ fn mechanism(name: &str, sequence: u16, file: u16, lines: (u32, u32), states: &[
 
 /// The texts of the two files, as long as their highest line.
 pub(crate) fn texts() -> [(&'static str, String); 2] {
-    let text = |lines: usize| (1..=lines).map(|n| format!("; line {n}\n")).collect::<String>();
+    let text = |lines: usize| (1..=lines).map(|n| format!("; line {n}\n")).collect::<Vec<_>>().concat();
     [("main.plc", text(42)), ("turret.plc", text(7))]
 }
 

@@ -52,12 +52,12 @@ pub fn serve_tcp(listener: &TcpListener, surroundings: &Surroundings) -> io::Res
     loop {
         let (stream, _) = listener.accept()?;
         let surroundings = surroundings.clone();
-        std::thread::Builder::new().name("dap session".into()).spawn(move || serve_stream(stream, &surroundings))?;
+        std::thread::Builder::new().name("dap session".into()).spawn(move || serve_stream(&stream, &surroundings))?;
     }
 }
 
 /// Serves the client at the other end of a connection and closes it.
-pub fn serve_stream(stream: TcpStream, surroundings: &Surroundings) -> io::Result<()> {
+pub fn serve_stream(stream: &TcpStream, surroundings: &Surroundings) -> io::Result<()> {
     stream.set_nodelay(true)?;
     // A client that does not read must not hold the writing thread for ever.
     stream.set_write_timeout(Some(std::time::Duration::from_secs(10)))?;

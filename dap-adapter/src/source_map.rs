@@ -3,17 +3,10 @@
 use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 
+use technol_image::Op;
 use technol_image::debug_info::DebugInfo;
 use technol_image::op::Pc;
 use technol_image::program::{ModuleKind, Program};
-
-/// A stretch of code that belongs together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Section {
-    Procedure(u16),
-    Sequence(u16),
-    Module(u16),
-}
 
 /// Where a break-point goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +49,6 @@ struct Entry {
 
 /// Source positions of one program.
 pub(crate) struct SourceMap {
-    root: PathBuf,
     /// Absolute path of each file.
     paths: Vec<PathBuf>,
     /// Lines with statements of each file, ascending by line, then code.
@@ -76,11 +68,7 @@ impl SourceMap {
             file.sort_by_key(|e| (e.line, e.pc));
         }
         let paths = debug.files.iter().map(|f| plain(&root.join(&f.path))).collect();
-        SourceMap { root: root.to_owned(), paths, entries }
-    }
-
-    pub(crate) fn root(&self) -> &Path {
-        &self.root
+        SourceMap { paths, entries }
     }
 
     /// Absolute path of a file.
@@ -123,13 +111,14 @@ impl SourceMap {
         let entries = self.entries(file);
         let at = entries.partition_point(|e| e.line < line);
         let first = entries.get(at).ok_or(NoPlace::NoCode)?;
-        if first.line != line && leaves_section(program, debug, file, line, at.checked_sub(1).map(|n| entries[n].pc), first.pc) {
+        let before = at.checked_sub(1).and_then(|n| entries.get(n)).map(|e| e.pc);
+        if first.line != line && leaves_section(program, debug, (file, line), before, first.pc) {
             return Err(NoPlace::NoCode);
         }
-        let here = || entries[at..].iter().take_while(|e| e.line == first.line);
+        let here = entries[at..].iter().take_while(|e| e.line == first.line);
         let mut reason = NoPlace::NoCode;
         let mut pcs = Vec::new();
-        for entry in here() {
+        for entry in here {
             match module_kind(program, entry.pc) {
                 Some(ModuleKind::Fast) => reason = NoPlace::Fast,
                 Some(ModuleKind::Cont) => reason = NoPlace::Cont,
@@ -145,8 +134,7 @@ impl SourceMap {
 fn leaves_section(
     program: &Program,
     debug: &DebugInfo,
-    file: u16,
-    line: u32,
+    (file, line): (u16, u32),
     before: Option<Pc>,
     after: Pc,
 ) -> bool {
@@ -156,21 +144,9 @@ fn leaves_section(
     }
     let Some(before) = before else { return false };
     // A section whose closing line is behind us is over: what follows is between sections.
-    let closed = program.code.get(before as usize).is_some_and(|op| {
-        use technol_image::Op;
-        matches!(op, Op::ModuleEnd | Op::Return | Op::SeqEnd(_))
-    });
+    let last = program.code.get(before as usize);
+    let closed = matches!(last, Some(Op::ModuleEnd | Op::Return | Op::SeqEnd(_)));
     !closed && module_of(program, before) != module_of(program, after)
-}
-
-/// The innermost section of an operation.
-pub(crate) fn section(program: &Program, pc: Pc) -> Option<Section> {
-    let within = |start: Pc, end: Pc| (start..end).contains(&pc);
-    let procedure = program.procedures.iter().position(|p| within(p.start, p.end));
-    procedure
-        .map(|n| Section::Procedure(n as u16))
-        .or_else(|| sequence_of(program, pc).map(Section::Sequence))
-        .or_else(|| module_of(program, pc).map(Section::Module))
 }
 
 fn sequence_of(program: &Program, pc: Pc) -> Option<u16> {
@@ -226,5 +202,56 @@ fn same_path(a: &Path, b: &Path) -> bool {
         fold(a) == fold(b)
     } else {
         a == b
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn module_kinds_have_the_indices_of_the_wire() {
+        for index in 0..10 {
+            assert_eq!(module_from_index(index).map(|kind| kind as u8), Some(index));
+        }
+        assert_eq!(module_from_index(10), None);
+    }
+
+    #[test]
+    fn a_line_without_code_moves_within_its_section_only() {
+        let image = sample::image();
+        let mut debug = image.debug.clone().unwrap();
+        let mut program = image.program;
+        // The closing line of SPINDLE takes no break-point here, so nothing is left after its last EX.
+        program.statements.retain(|pc| *pc != sample::pc(25));
+        debug.mechanisms[0].lines = (18, 25);
+        let map = SourceMap::new(Path::new("/p"), &program, &debug);
+        let place = |line| map.place(&program, &debug, 0, line, true).map(|p| p.line);
+        assert_eq!(place(22), Ok(23));
+        assert_eq!(place(25), Err(NoPlace::NoCode));
+        assert_eq!(place(26), Ok(26));
+    }
+
+    #[test]
+    fn a_line_that_is_included_twice_has_two_statements() {
+        let image = sample::image();
+        let mut debug = image.debug.clone().unwrap();
+        for line in &mut debug.lines {
+            if line.line == 13 {
+                line.line = 11;
+            }
+        }
+        let map = SourceMap::new(Path::new("/p"), &image.program, &debug);
+        let pcs = map.place(&image.program, &debug, 0, 11, true).unwrap().pcs;
+        assert_eq!(pcs, [sample::pc(11), sample::pc(13)]);
+        assert_eq!(map.lines(0, 0, 13), [11, 12]);
+    }
+
+    #[test]
+    fn paths_are_compared_on_paper() {
+        for (path, clean) in [("/a/./b/../c", "/a/c"), ("/../a", "/../a"), ("a/..", ""), ("../../x", "../../x")] {
+            assert_eq!(plain(Path::new(path)), Path::new(clean));
+        }
     }
 }

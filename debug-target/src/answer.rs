@@ -4,7 +4,8 @@ use technol_image::container::decode_program;
 use technol_machine::Plant;
 use technol_runtime::{Command, StopReason};
 use technol_wire::message::{
-    BreakpointState, ContentHash, Event, Failure, Limits, PROTOCOL_VERSION, Registers, Request, Response, Resume,
+    BreakpointState, ContentHash, Event, Failure, Limits, PROTOCOL_VERSION, Registers, Request, Response,
+    Resume,
 };
 
 use crate::convert;
@@ -192,10 +193,7 @@ impl TargetCore {
         Ok(Response::Done)
     }
 
-    fn switch(
-        &mut self,
-        act: impl FnOnce(&mut Plant) -> Result<(), technol_machine::UnknownName>,
-    ) -> Answer {
+    fn switch(&mut self, act: impl FnOnce(&mut Plant) -> Result<(), technol_machine::UnknownName>) -> Answer {
         match act(self.loaded()?.plant_mut()) {
             Ok(()) => Ok(Response::Done),
             Err(unknown) => Err(Failure::NotFound(unknown.to_string())),

@@ -15,7 +15,9 @@ const CONNECT_TIMEOUT: Duration = Duration::from_secs(3);
 #[derive(Debug, thiserror::Error)]
 pub enum ConnectError {
     /// The embedded target is not connected to, it is started.
-    #[error("the embedded target runs inside the debugger and has no address to connect to; start it with a project")]
+    #[error(
+        "the embedded target runs inside the debugger and has no address to connect to; start it with a project"
+    )]
     Embedded,
     /// The name of the computer is not known.
     #[error("cannot find the computer `{host}`: {source}; check the name, or write its number")]
@@ -26,7 +28,9 @@ pub enum ConnectError {
         source: io::Error,
     },
     /// Nobody listens there.
-    #[error("no target at {address}: {source}; start it there with `technol target --listen {address}`, or correct the address")]
+    #[error(
+        "no target at {address}: {source}; start it there with `technol target --listen {address}`, or correct the address"
+    )]
     NoTarget {
         /// As asked for.
         address: Address,
@@ -42,13 +46,17 @@ pub enum ConnectError {
         available: String,
     },
     /// The serial device may not be used.
-    #[error("no permission to use the serial device `{device}`; add your user to its group (on Linux usually `dialout`) and log in again")]
+    #[error(
+        "no permission to use the serial device `{device}`; add your user to its group (on Linux usually `dialout`) and log in again"
+    )]
     Permission {
         /// As asked for.
         device: String,
     },
     /// The serial device is in use, or does not work.
-    #[error("cannot use the serial device `{device}`: {source}; check that no other program has it open and that it takes the baud rate")]
+    #[error(
+        "cannot use the serial device `{device}`: {source}; check that no other program has it open and that it takes the baud rate"
+    )]
     Device {
         /// As asked for.
         device: String,
@@ -66,8 +74,8 @@ pub fn connect(address: &Address) -> Result<Box<dyn Link>, ConnectError> {
         Address::Embedded => Err(ConnectError::Embedded),
         Address::Tcp { host, port } => {
             let stream = connect_tcp(address, host, *port)?;
-            let link =
-                TcpLink::new(stream).map_err(|source| ConnectError::NoTarget { address: address.clone(), source })?;
+            let link = TcpLink::new(stream)
+                .map_err(|source| ConnectError::NoTarget { address: address.clone(), source })?;
             Ok(Box::new(link))
         }
         Address::Serial { device, baud } => Ok(Box::new(open_serial(device, *baud)?)),

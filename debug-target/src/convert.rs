@@ -21,25 +21,11 @@ pub(crate) fn state(state: runtime::PlcState) -> wire::PlcState {
 }
 
 pub(crate) fn registers(r: runtime::Registers) -> wire::Registers {
-    wire::Registers {
-        rlo: r.rlo,
-        dr: r.dr,
-        dr_real: r.dr_real,
-        bx: r.bx,
-        stack: r.stack,
-        depth: r.depth,
-    }
+    wire::Registers { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx, stack: r.stack, depth: r.depth }
 }
 
 pub(crate) fn registers_back(r: wire::Registers) -> runtime::Registers {
-    runtime::Registers {
-        rlo: r.rlo,
-        dr: r.dr,
-        dr_real: r.dr_real,
-        bx: r.bx,
-        stack: r.stack,
-        depth: r.depth,
-    }
+    runtime::Registers { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx, stack: r.stack, depth: r.depth }
 }
 
 pub(crate) fn frames(frames: &[runtime::Frame]) -> Vec<wire::Frame> {

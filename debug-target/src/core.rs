@@ -191,9 +191,10 @@ impl TargetCore {
     /// Lets time pass up to `now`. Answers when there is something to do again: `None` when only a request can
     /// change anything. `crowded`: more events wait than the link can carry; virtual time then stands still.
     pub fn advance(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
-        let running = self.simulation.as_ref().is_some_and(|s| {
-            s.runtime().state().is_cycling() && s.runtime().stopped().is_none()
-        });
+        let running = self
+            .simulation
+            .as_ref()
+            .is_some_and(|s| s.runtime().state().is_cycling() && s.runtime().stopped().is_none());
         if self.clock == Clock::Virtual && running {
             return self.advance_virtual(now, crowded);
         }
@@ -246,7 +247,9 @@ impl TargetCore {
                 RuntimeEvent::Overrun { cycle, rate, .. } => {
                     self.events.push(Event::Overrun { cycle, fast: rate == RateKind::Fast });
                 }
-                RuntimeEvent::StateChanged(_) => self.events.push(Event::State(self.status())),
+                RuntimeEvent::StateChanged(state) => {
+                    self.events.push(Event::State(Status { plc: convert::state(state), ..self.status() }));
+                }
                 RuntimeEvent::Fault(fault) => {
                     self.note_hold();
                     self.events.push(Event::Fault(convert::fault(&fault)));

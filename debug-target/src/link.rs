@@ -20,6 +20,12 @@ pub trait Link: Send {
         None
     }
 
+    /// Whether a host that falls silent may come back over this same link, as over a cable. Otherwise the link is
+    /// given up with its host, so that another one gets its turn.
+    fn outlives_host(&self) -> bool {
+        false
+    }
+
     /// What fits through: a slow line wants short frames.
     fn limits(&self) -> Limits {
         if self.bytes_per_second().is_some() {
@@ -46,6 +52,10 @@ impl Link for Box<dyn Link> {
 
     fn bytes_per_second(&self) -> Option<u32> {
         (**self).bytes_per_second()
+    }
+
+    fn outlives_host(&self) -> bool {
+        (**self).outlives_host()
     }
 
     fn limits(&self) -> Limits {

@@ -114,6 +114,9 @@ mod tests {
     #[test]
     fn a_file_that_is_not_there_is_named() {
         let error = load_machine(Path::new("no/such/machine.toml")).unwrap_err();
-        assert!(error.to_string().starts_with("no/such/machine.toml:1:1: cannot read the machine file"), "{error}");
+        assert!(
+            error.to_string().starts_with("no/such/machine.toml:1:1: cannot read the machine file"),
+            "{error}"
+        );
     }
 }

@@ -56,4 +56,8 @@ impl Link for SerialLink {
     fn bytes_per_second(&self) -> Option<u32> {
         Some((self.baud / BITS_PER_BYTE).max(1))
     }
+
+    fn outlives_host(&self) -> bool {
+        true
+    }
 }

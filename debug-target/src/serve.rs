@@ -12,6 +12,8 @@ use crate::link::Link;
 
 /// Longest wait before the shutdown flag is looked at again.
 const LONGEST_WAIT: Duration = Duration::from_millis(50);
+/// A connection over which no host says hello for this long is given up.
+const HELLO_TIMEOUT: Duration = Duration::from_secs(5);
 /// Events in the queue beyond which virtual time waits for the link.
 const CROWD: usize = 64;
 
@@ -37,6 +39,8 @@ struct Service {
     session: TargetSession,
     limits: Limits,
     began: Instant,
+    /// The host fell silent.
+    host_lost: bool,
     allowance: Allowance,
 }
 
@@ -47,6 +51,7 @@ impl Service {
             session: TargetSession::with_timing(limits, link.timing()),
             limits,
             began: Instant::now(),
+            host_lost: false,
             allowance: Allowance::new(link.bytes_per_second()),
         }
     }
@@ -63,8 +68,17 @@ impl Service {
                 Ok(count) => self.take(&buffer[..count], core),
                 Err(error) => return ServeEnd::LinkGone(error),
             }
+            if self.is_abandoned(link) {
+                return ServeEnd::LinkGone(io::Error::new(io::ErrorKind::TimedOut, "the debugger is silent"));
+            }
         }
         ServeEnd::Shutdown
+    }
+
+    /// Nobody is at the other end of a connection that keeps others from getting in.
+    fn is_abandoned(&self, link: &dyn Link) -> bool {
+        let watched = link.timing().silence_us.is_some() && !link.outlives_host();
+        watched && (self.host_lost || !self.session.is_open() && self.began.elapsed() > HELLO_TIMEOUT)
     }
 
     fn now(&self) -> u64 {
@@ -85,7 +99,10 @@ impl Service {
                     self.session.respond(seq, &response);
                 }
                 TargetInput::Chunk(chunk) => core.chunk(&chunk),
-                TargetInput::HostLost => core.host_lost(),
+                TargetInput::HostLost => {
+                    self.host_lost = true;
+                    core.host_lost();
+                }
             }
         }
     }

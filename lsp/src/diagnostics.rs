@@ -9,6 +9,9 @@ use crate::file_key::FileKey;
 use crate::project::Home;
 use crate::view::View;
 
+/// Codes of rules about single lines, the only ones that hold for a fragment of a program.
+const SPELLING: &str = "T01";
+
 /// The diagnostics of one state of a project.
 #[derive(Debug)]
 pub(crate) struct Diagnosed {
@@ -37,7 +40,8 @@ pub(crate) fn diagnose(view: &View, open: &BTreeSet<String>) -> Cancellable<Vec<
     for file in open {
         found.entry(file.clone()).or_default();
     }
-    let file = |(file, found): (String, Vec<Diagnostic>)| {
+    let file = |(file, mut found): (String, Vec<Diagnostic>)| {
+        found.retain(|it| !view.fragment || it.code.starts_with(SPELLING));
         Some(DiagnosedFile {
             uri: view.uri(&file)?,
             version: view.state(&file).and_then(|it| it.version),

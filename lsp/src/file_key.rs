@@ -36,8 +36,8 @@ impl FileKey {
 
     /// The key of `name` as a project at `root` calls it: relative to it, or absolute.
     pub(crate) fn in_project(root: &FileKey, name: &str) -> FileKey {
-        if is_absolute(name) {
-            return if is_path(name) { FileKey::of_path(name) } else { FileKey(name.to_owned()) };
+        if is_path(name) {
+            return FileKey::of_path(name);
         }
         FileKey::of_path(&format!("{}/{name}", root.0))
     }
@@ -92,11 +92,6 @@ fn is_path(text: &str) -> bool {
     text.starts_with('/') || text.as_bytes().get(1) == Some(&b':')
 }
 
-/// Absolute path or address with a scheme.
-fn is_absolute(name: &str) -> bool {
-    is_path(name) || name.split_once(':').is_some_and(|(scheme, _)| scheme.bytes().all(|b| b.is_ascii_alphanumeric()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,7 +120,6 @@ mod tests {
         let root = FileKey::of_path("/plc");
         assert_eq!(FileKey::in_project(&root, "inc/const.inc").as_str(), "/plc/inc/const.inc");
         assert_eq!(FileKey::in_project(&root, "/other/a.inc").as_str(), "/other/a.inc");
-        assert_eq!(FileKey::in_project(&root, "untitled:U1").as_str(), "untitled:U1");
         assert_eq!(FileKey::of_path("/plc/v ř.plc").uri().unwrap().as_str(), "file:///plc/v%20%C5%99.plc");
     }
 

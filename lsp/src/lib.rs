@@ -28,7 +28,6 @@ mod workspace;
 #[cfg(test)]
 mod session_tests;
 
-use std::process::ExitCode;
 use std::thread;
 use std::time::Duration;
 
@@ -57,24 +56,33 @@ pub enum Outcome {
 impl Outcome {
     /// The process' exit code: 0 when the client took its leave as the protocol asks, else 1.
     #[must_use]
-    pub fn exit_code(self) -> ExitCode {
+    pub const fn exit_code(self) -> u8 {
         match self {
-            Outcome::Exit => ExitCode::SUCCESS,
-            Outcome::ExitWithoutShutdown | Outcome::InputClosed | Outcome::ParentGone => ExitCode::FAILURE,
+            Outcome::Exit => 0,
+            Outcome::ExitWithoutShutdown | Outcome::InputClosed | Outcome::ParentGone => 1,
         }
     }
 }
 
-/// Serves one client on standard input and output. Returns when the session is over, even while the input is held
-/// open; the caller must then end the process, a thread may still wait for that input.
+/// Serves one client on standard input and output; the process' exit code comes back, see [`Outcome::exit_code`].
 ///
-/// # Errors
-/// When the system gives no threads.
-pub fn run_stdio() -> std::io::Result<Outcome> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_time().build()?;
-    let outcome = runtime.block_on(run(tokio::io::stdin(), tokio::io::stdout()));
-    runtime.shutdown_background();
-    outcome
+/// Returns when the session is over, even while the input is held open: the caller must then end the process, since
+/// a thread may still wait for that input.
+#[must_use]
+pub fn run_stdio() -> u8 {
+    let session = || -> std::io::Result<Outcome> {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_time().build()?;
+        let outcome = runtime.block_on(run(tokio::io::stdin(), tokio::io::stdout()));
+        runtime.shutdown_background();
+        outcome
+    };
+    session().map_or_else(
+        |error| {
+            eprintln!("technol lsp: the system gives no threads to run with: {error}");
+            1
+        },
+        Outcome::exit_code,
+    )
 }
 
 /// Serves one client on `input` and `output`, on a tokio runtime with time. Returns when the session is over.

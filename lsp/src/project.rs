@@ -12,9 +12,6 @@ use tower_lsp::ls_types::Uri;
 use crate::documents::Document;
 use crate::file_key::FileKey;
 
-/// Name of a project's manifest.
-pub(crate) const MANIFEST: &str = "technol.toml";
-
 /// What makes a project one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Home {
@@ -44,6 +41,7 @@ pub(crate) type Files = HashMap<String, FileState>;
 /// A loaded project.
 pub(crate) struct Project {
     host: AnalysisHost,
+    home: Home,
     root: FileKey,
     names: HashMap<FileKey, String>,
     files: Arc<Files>,
@@ -55,45 +53,63 @@ impl Project {
     pub(crate) fn load(home: &Home, documents: &Documents) -> Project {
         let root = match home {
             Home::Folder(folder) => folder.clone(),
-            Home::File(file) => file.parent().unwrap_or_else(|| file.clone()),
+            Home::File(file) => file.parent().unwrap_or_else(|| FileKey::of_path("/")),
         };
         let mut project = Project {
             host: AnalysisHost::new(),
+            home: home.clone(),
             root,
             names: HashMap::new(),
             files: Arc::new(Files::new()),
             revision: 0,
         };
-        project.reload(home, documents);
+        project.reload(documents);
         project
     }
 
     /// Reads everything again.
-    pub(crate) fn reload(&mut self, home: &Home, documents: &Documents) {
-        let target = match home {
-            Home::Folder(key) | Home::File(key) => key,
+    pub(crate) fn reload(&mut self, documents: &Documents) {
+        let reader = Reader { documents, alias: self.alias(), texts: RefCell::default() };
+        let mut loaded = match (&self.home, &reader.alias) {
+            (_, Some((path, _))) => load(path, &reader),
+            (Home::Folder(key) | Home::File(key), None) => load(key.as_str(), &reader),
         };
-        let reader = Reader { documents, texts: RefCell::default() };
-        let mut loaded = load(target.as_str(), &reader);
         let mut files = Files::new();
         self.names.clear();
-        for file in &mut loaded.files {
-            let key = FileKey::in_project(&self.root, &file.path);
+        for file in loaded.files.iter_mut().chain(&mut loaded.included) {
+            let key = reader.key_of(FileKey::in_project(&self.root, &file.path));
             if let Some(document) = documents.get(&key) {
-                file.text = document.text.to_string();
+                file.text = document.text.to_string().into();
             }
             self.add(&mut files, key, &file.path, &file.text, documents);
         }
         // The manifest, and what was read but is no part of the program: places in them can be reported too.
         for (key, text) in reader.texts.into_inner() {
             let name = self.name_for(&key);
-            if !files.contains_key(&name) {
+            if !self.names.contains_key(&key) && !files.contains_key(&name) {
                 self.add(&mut files, key, &name, &text, documents);
             }
         }
         self.files = Arc::new(files);
         self.host.apply(Change { project: Some(loaded), texts: Vec::new() });
         self.revision += 1;
+    }
+
+    /// A path by which the loader takes a lone text for a program, when its own name does not say so: a text that
+    /// was never saved, or one with another ending.
+    fn alias(&self) -> Option<(String, FileKey)> {
+        let Home::File(key) = &self.home else { return None };
+        let lower = key.as_str().to_ascii_lowercase();
+        if key.is_file() && (lower.ends_with(".plc") || lower.ends_with(".inc")) {
+            return None;
+        }
+        let name = key.name().rsplit(':').next().unwrap_or_default();
+        Some((self.root.join(&format!("{name}.plc")).as_str().to_owned(), key.clone()))
+    }
+
+    /// A file to be included that no project includes: what it says about a whole program means nothing.
+    pub(crate) fn is_fragment(&self) -> bool {
+        matches!(&self.home, Home::File(key) if key.as_str().to_ascii_lowercase().ends_with(".inc"))
     }
 
     fn add(&mut self, files: &mut Files, key: FileKey, name: &str, text: &str, documents: &Documents) {
@@ -162,21 +178,33 @@ impl Project {
 /// Reads files for the loader: open documents first, then the disk. Remembers what it read.
 struct Reader<'a> {
     documents: &'a Documents,
+    /// A path that stands for a text with another address.
+    alias: Option<(String, FileKey)>,
     texts: RefCell<BTreeMap<FileKey, String>>,
+}
+
+impl Reader<'_> {
+    /// The file a path stands for.
+    fn key_of(&self, key: FileKey) -> FileKey {
+        match &self.alias {
+            Some((path, file)) if key.as_str() == path => file.clone(),
+            _ => key,
+        }
+    }
 }
 
 impl FileReader for Reader<'_> {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        // The loader hands back what it was given, so an address that is no path comes through as it is.
-        let address = FileKey::in_project(&FileKey::of_path("/"), path);
-        let bytes = match self.documents.get(&address) {
+        let key = self.key_of(FileKey::of_path(path));
+        let bytes = match self.documents.get(&key) {
             // The mark says UTF-8 whatever encoding the project's files on the disk have.
             Some(document) => format!("\u{feff}{}", document.text).into_bytes(),
-            None => std::fs::read(address.path()).map_err(|error| error.to_string())?,
+            None if key.is_file() => std::fs::read(key.path()).map_err(|error| error.to_string())?,
+            None => return Err("the editor has closed it".to_owned()),
         };
         let text = String::from_utf8_lossy(&bytes);
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text).to_owned();
-        self.texts.borrow_mut().insert(address, text);
+        self.texts.borrow_mut().insert(key, text);
         Ok(bytes)
     }
 }

@@ -18,6 +18,8 @@ pub(crate) struct View {
     pub(crate) analysis: Analysis,
     /// Name of the file the request is about.
     pub(crate) file: String,
+    /// The file is no program, see [`Project::is_fragment`].
+    pub(crate) fragment: bool,
     /// Language of help texts.
     pub(crate) language: Language,
     /// What the client can do.
@@ -32,6 +34,7 @@ impl View {
         View {
             analysis: project.analysis(),
             file: file.to_owned(),
+            fragment: project.is_fragment(),
             language: settings.language,
             client,
             files: project.files(),

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use technol_analysis::project::MANIFEST;
 use tower_lsp::ls_types::{TextDocumentContentChangeEvent, Uri};
 
 use crate::documents::Document;
 use crate::file_key::FileKey;
 use crate::positions::Encoding;
-use crate::project::{Documents, Home, MANIFEST, Project};
+use crate::project::{Documents, Home, Project};
 
 /// Everything the server knows about the user's files.
 #[derive(Default)]
@@ -102,7 +103,7 @@ impl Workspace {
         let mut effects = Effects::default();
         for home in homes {
             if let Some(project) = self.projects.get_mut(home) {
-                project.reload(home, &self.documents);
+                project.reload(&self.documents);
                 effects.changed.push(home.clone());
             }
         }

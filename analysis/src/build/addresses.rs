@@ -1,15 +1,14 @@
 //! Every name of a project with its address or number, as relocation asks for them.
 
 use std::collections::{BTreeMap, HashMap};
-use std::sync::Arc;
-
 use technol_image::op::Addr;
 use technol_image::program::{Region, RegionKind};
 
-use super::input::{ProjectInput, SystemPlace};
+use super::input::ProjectInput;
 use super::section_code::Slot;
+use crate::catalogue::{self, SystemSymbol};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
-use crate::semantics::layout::{Layout, PlacedKind, sequence_kind};
+use crate::semantics::layout::{Layout, PlacedKind, sequence_kind, system_addr};
 use crate::syntax::section::SectionKind;
 
 /// The address of a symbol.
@@ -25,7 +24,7 @@ pub(super) struct Resolved {
 pub(super) struct Addresses<'a> {
     /// Addresses of declared symbols.
     pub(super) layout: &'a Layout,
-    system: BTreeMap<Arc<str>, SystemPlace>,
+    system: BTreeMap<&'static str, &'static SystemSymbol>,
     regions: Vec<Region>,
     procedures: HashMap<&'a str, u16>,
     /// By section.
@@ -35,7 +34,7 @@ pub(super) struct Addresses<'a> {
 
 impl<'a> Addresses<'a> {
     /// Collects all names of `input`. Sequences and procedures are numbered in order of their sections.
-    pub(super) fn new(input: &'a ProjectInput<'_>, layout: &'a Layout, regions: &[Region]) -> Self {
+    pub(super) fn new(input: &'a ProjectInput, layout: &'a Layout, regions: &[Region]) -> Self {
         let mut addresses = Addresses {
             layout,
             system: BTreeMap::new(),
@@ -46,7 +45,7 @@ impl<'a> Addresses<'a> {
         };
         let (mut sequences, mut procedures) = (0u16, 0u16);
         for (index, section) in input.sections.iter().enumerate() {
-            addresses.add_system(input, &section.code.slots);
+            addresses.add_system(&section.code.slots);
             let mut number = None;
             if sequence_kind(section.kind).is_some() {
                 number = Some(sequences);
@@ -65,13 +64,14 @@ impl<'a> Addresses<'a> {
         addresses
     }
 
-    fn add_system(&mut self, input: &ProjectInput<'_>, slots: &[Slot]) {
+    fn add_system(&mut self, slots: &[Slot]) {
         for slot in slots {
             let Slot::Symbol { key, .. } = slot else { continue };
-            if key.scope == SymbolScope::System && !self.system.contains_key(&key.name) {
-                if let Some(place) = (input.system)(&key.name) {
-                    self.system.insert(Arc::clone(&key.name), place);
-                }
+            if key.scope != SymbolScope::System || self.system.contains_key(&*key.name) {
+                continue;
+            }
+            if let Some(symbol) = catalogue::symbol(&key.name) {
+                self.system.insert(symbol.name, symbol);
             }
         }
     }
@@ -79,7 +79,8 @@ impl<'a> Addresses<'a> {
     /// The address of a symbol.
     pub(super) fn symbol(&self, key: &SymbolKey) -> Option<Resolved> {
         if key.scope == SymbolScope::System {
-            return self.system.get(&key.name).map(|place| Resolved { base: place.addr, bit: None });
+            let base = system_addr(&self.system.get(&*key.name)?.kind)?;
+            return Some(Resolved { base, bit: None });
         }
         let placed = self.layout.place(key)?;
         let bit = match placed.kind {
@@ -123,7 +124,7 @@ impl<'a> Addresses<'a> {
     }
 
     /// The predefined symbols that occur, by name.
-    pub(super) fn into_used_system(self) -> Vec<SystemPlace> {
+    pub(super) fn into_used_system(self) -> Vec<&'static SystemSymbol> {
         self.system.into_values().collect()
     }
 }

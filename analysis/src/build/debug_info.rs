@@ -6,31 +6,25 @@ use technol_image::debug_info::{Line, Mechanism, Scope, SourceFile, State, Symbo
 use technol_image::op::Width;
 
 use super::debug_regions::DebugRegions;
-use super::input::{ProjectInput, SectionInput, SystemPlaceKind};
+use super::input::{ProjectInput, SectionInput};
 use super::link::{Linked, LinkedSequence};
 use super::source_text::condition;
+use crate::catalogue::{SystemKind, SystemSymbol};
 use crate::semantics::declarations::{Declared, What};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{Layout, Placed, PlacedKind, line_key};
+use crate::semantics::program::width;
 use crate::syntax::section::SectionKind;
 
 /// Debug information of `linked`.
-pub(super) fn debug_info(input: &ProjectInput<'_>, layout: &Layout, linked: &Linked) -> DebugInfo {
+pub(super) fn debug_info(input: &ProjectInput, layout: &Layout, linked: &Linked) -> DebugInfo {
     let files = input.files.iter().map(|file| SourceFile {
         path: file.path.clone(),
         hash: hash_bytes(file.text.as_bytes()),
         order: file.order,
     });
     let mut symbols = declared_symbols(input, layout, linked);
-    symbols.extend(linked.used_system.iter().map(|place| {
-        let addr = place.addr;
-        let kind = match place.kind {
-            SystemPlaceKind::Bit(bit) => SymbolKind::Bit { addr, bit },
-            SystemPlaceKind::Cell(width) => SymbolKind::Cell { addr, width },
-            SystemPlaceKind::Area(len) => SymbolKind::Area { addr, len },
-        };
-        Symbol { name: place.name.clone(), scope: Scope::System, kind, declared: None }
-    }));
+    symbols.extend(linked.used_system.iter().filter_map(|symbol| system_symbol(symbol)));
     let mechanisms = (0u16..).zip(&linked.sequences).filter_map(|(n, s)| mechanism(input, n, s));
     DebugInfo {
         program: content_hash(&linked.program),
@@ -41,7 +35,21 @@ pub(super) fn debug_info(input: &ProjectInput<'_>, layout: &Layout, linked: &Lin
     }
 }
 
-fn lines(input: &ProjectInput<'_>, linked: &Linked) -> Vec<Line> {
+/// A predefined symbol as the debugger sees it; `None` for one without memory and value.
+#[must_use]
+pub fn system_symbol(symbol: &SystemSymbol) -> Option<Symbol> {
+    let kind = match symbol.kind {
+        SystemKind::Bit { addr, bit } => SymbolKind::Bit { addr, bit },
+        SystemKind::Cell { addr, prefix } => SymbolKind::Cell { addr, width: width(prefix) },
+        SystemKind::Array { addr, element, len } => SymbolKind::Area { addr, len: width(element).bytes() * len },
+        SystemKind::Area { addr, len } => SymbolKind::Area { addr, len },
+        SystemKind::Constant(value) => SymbolKind::Constant { value },
+        SystemKind::FormalBit { .. } => return None,
+    };
+    Some(Symbol { name: symbol.name.to_owned(), scope: Scope::System, kind, declared: None })
+}
+
+fn lines(input: &ProjectInput, linked: &Linked) -> Vec<Line> {
     let regions: Vec<DebugRegions> = input.files.iter().map(|file| DebugRegions::of(&file.text)).collect();
     let lines = linked.lines.iter().map(|line| Line {
         pc: line.pc,
@@ -53,7 +61,7 @@ fn lines(input: &ProjectInput<'_>, linked: &Linked) -> Vec<Line> {
     lines.collect()
 }
 
-fn declared_symbols(input: &ProjectInput<'_>, layout: &Layout, linked: &Linked) -> Vec<Symbol> {
+fn declared_symbols(input: &ProjectInput, layout: &Layout, linked: &Linked) -> Vec<Symbol> {
     let mut symbols = Vec::new();
     for (index, section) in input.sections.iter().enumerate() {
         let scope = match section.kind {
@@ -126,15 +134,13 @@ fn in_memory(placed: Placed) -> SymbolKind {
     }
 }
 
-fn mechanism(input: &ProjectInput<'_>, sequence: u16, linked: &LinkedSequence) -> Option<Mechanism> {
+fn mechanism(input: &ProjectInput, sequence: u16, linked: &LinkedSequence) -> Option<Mechanism> {
     let section = input.sections.get(linked.section)?;
-    let name = match section.kind {
-        SectionKind::Module(kind) => kind.keyword().to_owned(),
-        _ => {
-            let names = &section.declarations.names;
-            let declared = names.iter().find(|d| d.what == What::Mechanism);
-            declared.map_or_else(|| section.name.to_string(), |d| d.name.text.clone())
-        }
+    let name = if let SectionKind::Module(kind) = section.kind {
+        kind.keyword().to_owned()
+    } else {
+        let declared = section.declarations.names.iter().find(|d| d.what == What::Mechanism);
+        declared.map_or_else(|| section.name.to_string(), |d| d.name.text.clone())
     };
     let last = (section.lines.len() as u32).saturating_sub(1);
     Some(Mechanism {

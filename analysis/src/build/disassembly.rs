@@ -92,14 +92,14 @@ impl<'a> Disassembler<'a> {
             }
             Op::Jump { target, cond } => format!("{} {target:04X}h", jump(*cond)),
             Op::Raster { rate, end } => format!("{} {end:04X}h", raster(*rate)),
-            Op::Timer { count, width } => format!("TM {}", self.place(count, *width)),
+            Op::Timer { count, width } => format!("TM {}", self.place(*count, *width)),
             Op::Counter { op, count, width, state } => {
-                format!("{} {} {{state {state:04X}h}}", counter(*op), self.place(count, *width))
+                format!("{} {} {{state {state:04X}h}}", counter(*op), self.place(*count, *width))
             }
-            Op::Copy { src, dst, len } => format!("MV {},{},{len}", self.area(src), self.area(dst)),
+            Op::Copy { src, dst, len } => format!("MV {},{},{len}", self.area(*src), self.area(*dst)),
             Op::Clear { addr, len } => {
                 let last = addr.saturating_add(len.saturating_sub(1));
-                format!("CLEAR {} {{{addr:04X}h..{last:04X}h}}", self.area(&Place { addr: *addr, indexed: false }))
+                format!("CLEAR {} {{{addr:04X}h..{last:04X}h}}", self.area(Place { addr: *addr, indexed: false }))
             }
             Op::Call(_)
             | Op::Return
@@ -121,9 +121,9 @@ impl<'a> Disassembler<'a> {
     fn register(&self, op: &Op) -> String {
         match op {
             Op::Load { src, width, neg } => format!("LOD {}{}", sign(*neg), self.source(src, *width)),
-            Op::Store { dst, width, cond } => format!("STO{} {}", suffix(*cond), self.place(dst, *width)),
+            Op::Store { dst, width, cond } => format!("STO{} {}", suffix(*cond), self.place(*dst, *width)),
             Op::Move { dst, src, width, cond } => {
-                format!("MOVE{} {},{}", suffix(*cond), self.place(dst, *width), self.place(src, *width))
+                format!("MOVE{} {},{}", suffix(*cond), self.place(*dst, *width), self.place(*src, *width))
             }
             Op::Arith { op, src, width } => format!("{} {}", arith(*op), self.source(src, *width)),
             Op::Compare { op, src, width, if_rlo } => {
@@ -181,7 +181,7 @@ impl<'a> Disassembler<'a> {
             Some(true) => "TEX1",
         };
         let mut text =
-            format!("{mnemonic} {},{}", self.place(&timed.count, timed.width), self.source(&timed.time, timed.width));
+            format!("{mnemonic} {},{}", self.place(timed.count, timed.width), self.source(&timed.time, timed.width));
         if let Some(error) = timed.error {
             let _ = write!(text, ",{error:04X}h");
         }
@@ -222,28 +222,28 @@ impl<'a> Disassembler<'a> {
             Some(name) if !bit.indexed => (*name).to_owned(),
             _ => {
                 let place = Place { addr: bit.addr, indexed: bit.indexed };
-                format!("{}.{}", self.area(&place), bit.bit)
+                format!("{}.{}", self.area(place), bit.bit)
             }
         }
     }
 
     fn source(&self, source: &Source, width: Width) -> String {
         match source {
-            Source::Mem(place) => self.place(place, width),
+            Source::Mem(place) => self.place(*place, width),
             Source::Int(value) => value.to_string(),
             Source::Real(value) => format!("{value:?}"),
         }
     }
 
     /// A cell as text, with a prefix when its declared type is another one.
-    fn place(&self, place: &Place, width: Width) -> String {
+    fn place(&self, place: Place, width: Width) -> String {
         let declared = self.cells.get(&place.addr).and_then(|cell| cell.width);
         let name = self.area(place);
         if declared == Some(width) { name } else { format!("{}.{name}", prefix(width)) }
     }
 
     /// An address as text: a name, a name and an offset, or a number.
-    fn area(&self, place: &Place) -> String {
+    fn area(&self, place: Place) -> String {
         let index = if place.indexed { "[BX]" } else { "" };
         let nearest = self.cells.range(..=place.addr).next_back();
         match nearest {

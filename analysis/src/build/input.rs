@@ -2,25 +2,22 @@
 
 use std::sync::Arc;
 
-use technol_image::op::{Addr, Width};
-
 use super::section_code::{ProblemKind, SectionCode};
 use crate::semantics::declarations::Declarations;
 use crate::semantics::layout::DataBlock;
 use crate::syntax::section::SectionKind;
 
 /// A project without errors.
-pub struct ProjectInput<'a> {
+#[derive(Clone, Debug, Default)]
+pub struct ProjectInput {
     /// Project name.
-    pub name: &'a str,
+    pub name: String,
     /// Every line takes break-points (`[debug] everywhere`).
     pub debug_everywhere: bool,
     /// Files in execution order, then the included ones.
     pub files: Vec<FileInput>,
     /// Sections of all files in order of the program; those of an included file stand where it is included.
     pub sections: Vec<SectionInput>,
-    /// The predefined symbols.
-    pub system: &'a dyn Fn(&str) -> Option<SystemPlace>,
 }
 
 /// A source file.
@@ -65,7 +62,7 @@ impl SectionInput {
     }
 }
 
-impl ProjectInput<'_> {
+impl ProjectInput {
     /// The sections as the layout wants them, with the same indices.
     #[must_use]
     pub fn blocks(&self) -> Vec<DataBlock<'_>> {
@@ -77,28 +74,6 @@ impl ProjectInput<'_> {
         });
         blocks.collect()
     }
-}
-
-/// A predefined symbol in the system region.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SystemPlace {
-    /// Spelling of the catalogue.
-    pub name: String,
-    /// First byte.
-    pub addr: Addr,
-    /// What lies there.
-    pub kind: SystemPlaceKind,
-}
-
-/// What lies at a predefined symbol.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SystemPlaceKind {
-    /// A bit, 0..=7.
-    Bit(u8),
-    /// A cell.
-    Cell(Width),
-    /// An area of this many bytes.
-    Area(u32),
 }
 
 /// Why a line of the project cannot be built.

@@ -7,9 +7,10 @@ use technol_image::program::{Module, ModuleKind, Procedure, Program, Region, Reg
 use technol_image::system;
 
 use super::addresses::Addresses;
-use super::input::{BuildProblem, ProjectInput, SectionInput, SystemPlace};
+use super::input::{BuildProblem, ProjectInput, SectionInput};
 use super::relocate::Relocation;
 use super::section_code::{NestedCode, ProblemKind};
+use crate::catalogue::SystemSymbol;
 use crate::semantics::layout::{Layout, MAX_REGION, sequence_kind};
 use crate::syntax::section::SectionKind;
 
@@ -27,7 +28,7 @@ pub(super) struct Linked {
     /// Sequences, by number: their sections.
     pub(super) sequences: Vec<LinkedSequence>,
     /// Predefined symbols that occur, by key.
-    pub(super) used_system: Vec<SystemPlace>,
+    pub(super) used_system: Vec<&'static SystemSymbol>,
 }
 
 /// A line with code.
@@ -62,14 +63,14 @@ pub(super) struct LinkedSequence {
 }
 
 /// Links; the problems are sorted by file and line.
-pub(super) fn link(input: &ProjectInput<'_>, layout: &Layout) -> Result<Linked, Vec<BuildProblem>> {
+pub(super) fn link(input: &ProjectInput, layout: &Layout) -> Result<Linked, Vec<BuildProblem>> {
     let mut linker = Linker::new(input, layout);
     linker.link_modules();
     linker.finish()
 }
 
 struct Linker<'a> {
-    input: &'a ProjectInput<'a>,
+    input: &'a ProjectInput,
     addresses: Addresses<'a>,
     /// By section: first automatic counter and first hidden byte.
     bases: Vec<(Addr, Addr)>,
@@ -89,7 +90,7 @@ struct Visit {
 }
 
 impl<'a> Linker<'a> {
-    fn new(input: &'a ProjectInput<'a>, layout: &'a Layout) -> Self {
+    fn new(input: &'a ProjectInput, layout: &'a Layout) -> Self {
         let (mut counters, mut states) = (0u64, 0u64);
         let mut relative = Vec::with_capacity(input.sections.len());
         for section in &input.sections {
@@ -113,7 +114,7 @@ impl<'a> Linker<'a> {
             input,
             addresses: Addresses::new(input, layout, &regions),
             bases,
-            program: empty_program(input.name, regions, layout),
+            program: empty_program(&input.name, regions, layout),
             sequences: vec![None; layout.sequences.len()],
             lines: Vec::new(),
             labels: Vec::new(),
@@ -254,7 +255,7 @@ impl<'a> Linker<'a> {
         let mut lines = code.lines.iter().peekable();
         let mut nested = code.nested.iter().peekable();
         let mut own_line = 0;
-        for index in 0..code.ops.len() {
+        for (index, pc) in pcs.iter().enumerate().take(code.ops.len()) {
             while let Some(line) = lines.next_if(|l| l.op as usize <= index) {
                 own_line = line.line;
                 relocation.line = u16::try_from(section.file_line(own_line) + 1).unwrap_or(u16::MAX);
@@ -262,7 +263,7 @@ impl<'a> Linker<'a> {
             if nested.next_if(|n| n.op as usize == index).is_some() {
                 continue;
             }
-            let Some(op) = self.program.code.get_mut(pcs[index] as usize) else { continue };
+            let Some(op) = self.program.code.get_mut(*pc as usize) else { continue };
             let parameters = *op;
             let mut result = relocation.op(op);
             match parameters {

@@ -39,6 +39,7 @@ pub fn lower(kind: SectionKind, own_lines: u32, body: &Body) -> SectionCode {
                 lowering.code.nested.push(nested);
                 lowering.code.ops.push(Op::Nop);
             }
+            StatementKind::Macro { name } => lowering.problem(ProblemKind::NotExecutable(name.to_string())),
             StatementKind::Empty => {}
         }
     }
@@ -143,7 +144,7 @@ impl Lowering {
             | Form::IntToReal
             | Form::Mov => return self.register(form, operands),
             Form::Call | Form::SeqInit => {
-                let (Some(Operand::Procedure(key)) | Some(Operand::Mechanism(key))) = operands.get(0) else {
+                let Some(Operand::Procedure(key) | Operand::Mechanism(key)) = operands.get(0) else {
                     return Err(operands.problem(0));
                 };
                 let index = self.code.name(key);
@@ -299,7 +300,7 @@ impl Lowering {
                 _ => Op::DrToRlo(DrTest::NonZero(width(0)?)),
             },
             Form::Mov => match operands.list {
-                [Operand::Keyword("BX"), Operand::Keyword("CX")] => Op::IndexFromDr,
+                [to, from] if is_word(to, "BX") && is_word(from, "CX") => Op::IndexFromDr,
                 _ => return Err(ProblemKind::NotExecutable("MOV other than MOV BX,CX".to_owned())),
             },
             _ => Op::IncrementBcd,
@@ -342,7 +343,9 @@ impl Lowering {
             }
             // An automatic counter takes the type of the time.
             (cell, of_time) => {
-                let width = counter_width(Some(of_time)).ok_or_else(|| operands.problem(1))?;
+                // A cell of another length is one that the counter's prefix covers.
+                let covered = counter.filter(|_| !matches!(of_time, Width::Byte | Width::Word));
+                let width = counter_width(Some(covered.unwrap_or(of_time))).ok_or_else(|| operands.problem(1))?;
                 if counter.is_some_and(|of_counter| of_counter != width) {
                     return Err(ProblemKind::MixedWidths(operands.name));
                 }
@@ -399,10 +402,12 @@ impl Lowering {
                 continue;
             };
             match jump {
-                Jump::Op(op) => match self.code.ops.get_mut(op as usize) {
-                    Some(Op::Jump { target, .. } | Op::Raster { end: target, .. }) => *target = found,
-                    _ => {}
-                },
+                Jump::Op(op) => {
+                    let op = self.code.ops.get_mut(op as usize);
+                    if let Some(Op::Jump { target, .. } | Op::Raster { end: target, .. }) = op {
+                        *target = found;
+                    }
+                }
                 Jump::Timed(index) => {
                     if let Some(timed) = self.code.timed.get_mut(index) {
                         timed.error = Some(found);
@@ -442,6 +447,14 @@ fn counter_width(width: Option<Width>) -> Option<Width> {
         None => Some(Width::Word),
         Some(width @ (Width::Byte | Width::Word)) => Some(width),
         Some(_) => None,
+    }
+}
+
+fn is_word(operand: &Operand, word: &str) -> bool {
+    match operand {
+        Operand::Keyword(given) => *given == word,
+        Operand::Text(given) => **given == *word,
+        _ => false,
     }
 }
 

@@ -9,7 +9,8 @@
 //! the only step that sees the whole project. The same sources always give the same bytes.
 
 mod addresses;
-mod debug_info;
+mod collect;
+pub mod debug_info;
 mod debug_regions;
 pub mod disassembly;
 mod fingerprint;
@@ -28,7 +29,7 @@ use technol_image::program::ContentHash;
 
 pub use disassembly::Disassembler;
 pub use fingerprint::sources_hash;
-pub use input::{BuildProblem, FileInput, ProjectInput, SectionInput, SystemPlace, SystemPlaceKind};
+pub use input::{BuildProblem, FileInput, ProjectInput, SectionInput};
 pub use listing::listing;
 pub use lower::lower;
 pub use section_code::{ClearRange, CodeLine, LineProblem, NestedCode, ProblemKind, ResumePoint, SectionCode, Slot};
@@ -48,7 +49,7 @@ pub struct Built {
 ///
 /// # Errors
 /// Everything that keeps the project from becoming a program, sorted by file and line.
-pub fn build(input: &ProjectInput<'_>, layout: &Layout) -> Result<Built, Vec<BuildProblem>> {
+pub fn build(input: &ProjectInput, layout: &Layout) -> Result<Built, Vec<BuildProblem>> {
     if let Some(overflow) = &layout.overflow {
         let section = input.sections.get(overflow.block);
         let (file, line) = section.map_or((0, 0), |s| (s.file, s.file_line(overflow.line)));

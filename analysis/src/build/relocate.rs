@@ -46,7 +46,10 @@ impl Relocation<'_> {
                 self.bit(dst)?;
                 self.bit(src)
             }
-            Op::Jump { target, .. } | Op::Raster { end: target, .. } => self.target(target),
+            Op::Jump { target, .. } | Op::Raster { end: target, .. } => {
+                self.target(target);
+                Ok(())
+            }
             Op::Load { src, width, .. } | Op::Arith { src, width, .. } | Op::Compare { src, width, .. } => {
                 self.source(src, *width)
             }
@@ -92,7 +95,7 @@ impl Relocation<'_> {
         self.place(&mut timed.count, timed.width.bytes())?;
         self.source(&mut timed.time, timed.width)?;
         if let Some(error) = &mut timed.error {
-            self.target(error)?;
+            self.target(error);
         }
         match &mut timed.code {
             Some((source, width)) => self.source(source, *width),
@@ -125,10 +128,9 @@ impl Relocation<'_> {
     }
 
     /// Replaces a number of an own operation.
-    fn target(&self, target: &mut Pc) -> Relocated {
+    fn target(&self, target: &mut Pc) {
         let end = self.pcs.last().copied().unwrap_or(0);
         *target = self.pcs.get(*target as usize).copied().unwrap_or(end);
-        Ok(())
     }
 
     fn bit(&self, bit: &mut BitRef) -> Relocated {

@@ -5,6 +5,8 @@ use std::sync::Arc;
 use technol_image::op::Op;
 use technol_image::program::{Message, Timed};
 
+use crate::diagnostics::Rule;
+use crate::diagnostics::rules::{build, names, operands};
 use crate::semantics::hir::SymbolKey;
 use crate::syntax::section::SectionKind;
 
@@ -161,17 +163,21 @@ pub enum ProblemKind {
 }
 
 impl ProblemKind {
-    /// Code of the diagnostic.
+    /// Its rule.
     #[must_use]
-    pub const fn code(&self) -> &'static str {
+    pub fn rule(&self) -> &'static Rule {
         match self {
-            ProblemKind::NotExecutable(_) => "T0901",
-            ProblemKind::Operand(..) | ProblemKind::Label(_) | ProblemKind::Incomplete | ProblemKind::Misplaced(_) => {
-                "T0902"
-            }
-            ProblemKind::MixedWidths(_) | ProblemKind::TimeTooLong(_) => "T0903",
-            ProblemKind::OutsideArea(_) | ProblemKind::NoAddress(_) | ProblemKind::Clear => "T0904",
-            ProblemKind::TableFull(..) | ProblemKind::Memory(_) => "T0905",
+            ProblemKind::NotExecutable(_) => &build::NOT_EXECUTABLE,
+            ProblemKind::TableFull(..) | ProblemKind::Memory(_) => &build::TOO_LARGE,
+            ProblemKind::Label(_) => &names::UNKNOWN_LABEL,
+            ProblemKind::MixedWidths(_) => &operands::DIFFERENT_TYPES,
+            ProblemKind::TimeTooLong(_) => &operands::NUMBER_OUT_OF_RANGE,
+            ProblemKind::OutsideArea(_) => &operands::ACCESS_OUTSIDE_DATA,
+            ProblemKind::Operand(..)
+            | ProblemKind::Misplaced(_)
+            | ProblemKind::NoAddress(_)
+            | ProblemKind::Clear
+            | ProblemKind::Incomplete => &build::NOT_TRANSLATABLE,
         }
     }
 
@@ -183,7 +189,7 @@ impl ProblemKind {
             ProblemKind::Operand(n, name) => format!("operand {n} of {name} cannot be translated"),
             ProblemKind::Label(name) => format!("the label {name} is not in this module, mechanism or procedure"),
             ProblemKind::MixedWidths(name) => format!(
-                "the counter and the time of {name} have different types; give both the same one or use a prefix"
+                "the counter and the time of {name} have different types; both must be BYTE or both WORD"
             ),
             ProblemKind::TimeTooLong(time) => {
                 format!("the counter can never reach {time}; use a WORD counter or a time from 0 to its maximum")

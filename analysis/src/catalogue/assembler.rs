@@ -6,6 +6,9 @@
 use super::entry::{Bilingual, Effect, Entry, OperandKind, OperandSpec};
 use super::pattern::{INSTRUCTION, example, form, operand, text};
 
+/// Manual chapter that allows them.
+pub(super) const CHAPTER: &str = "3.1";
+
 const ANY: &[OperandSpec] = &[operand(
     "operand",
     OperandKind::Any,
@@ -25,7 +28,7 @@ const KNOWN_ONLY: Bilingual = text(
 const fn known(name: &'static str, summary: Bilingual) -> Entry {
     Entry {
         name,
-        chapter: "3.1",
+        chapter: CHAPTER,
         operands: ANY,
         summary,
         description: KNOWN_ONLY,
@@ -57,7 +60,7 @@ const PORTS: Bilingual = text(
 pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "CLI",
-        chapter: "3.1",
+        chapter: CHAPTER,
         forms: &[form("CLI")],
         summary: text(
             "Disables interrupts on the 80386; has no effect (this implementation).",
@@ -79,7 +82,7 @@ pub(super) static ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "STI",
-        chapter: "3.1",
+        chapter: CHAPTER,
         forms: &[form("STI")],
         summary: text(
             "Enables interrupts on the 80386; has no effect (this implementation).",
@@ -101,7 +104,7 @@ pub(super) static ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "NOP",
-        chapter: "3.1",
+        chapter: CHAPTER,
         forms: &[form("NOP")],
         summary: text("Does nothing.", "Neprovede nic."),
         description: text(
@@ -114,7 +117,7 @@ pub(super) static ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "MOV",
-        chapter: "3.1",
+        chapter: CHAPTER,
         forms: &[form("MOV BX,CX")],
         operands: &[
             operand(

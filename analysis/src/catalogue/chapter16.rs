@@ -1,6 +1,6 @@
 //! Chapter 16: configuration parameters and constants of the program.
 
-use super::entry::{Effect, Entry};
+use super::entry::{Effect, Entry, Equation};
 use super::pattern::{ANY_OPERANDS, UNMODELLED, form, text};
 
 /// The entries, in manual order.
@@ -10,6 +10,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.1",
         forms: &[form("CNF_GET_INT cell, 'ID' [,default]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Memory],
         summary: text(
@@ -23,6 +24,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.1",
         forms: &[form("CNF_GET_REAL cell, 'ID' [,default]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Memory],
         summary: text(
@@ -36,6 +38,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.1",
         forms: &[form("CNF_GET_STR text, 'ID' [,default]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Memory],
         summary: text(
@@ -49,6 +52,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.1",
         forms: &[form("CNF_GET_BIN text, 'ID' [,default]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Memory],
         summary: text(
@@ -62,6 +66,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.1",
         forms: &[form("CNF_GET_BIT bit, 'ID' [,default]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Memory],
         summary: text(
@@ -75,6 +80,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "16.2",
         forms: &[form("CONST_GET cell, 'ID'")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo, Effect::Dr, Effect::Memory],
         summary: text(

@@ -1,6 +1,6 @@
 //! Chapter 18: shared memory and structures.
 
-use super::entry::{Effect, Entry, Place};
+use super::entry::{Effect, Entry, Equation, Place};
 use super::pattern::{ANY_OPERANDS, MULTI_CYCLE, UNMODELLED, UNMODELLED_DATA, form, text};
 
 /// The entries, in manual order.
@@ -71,6 +71,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "18.2",
         forms: &[form("SHARE_VAR cell, 'name', type [,min] [,max]")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         place: Place::Init,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
@@ -85,6 +86,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "18.2",
         forms: &[form("SHARE_BIT cell, 'name', bit")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         place: Place::Init,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],

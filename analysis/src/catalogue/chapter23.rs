@@ -1,6 +1,6 @@
 //! Chapter 23: serial ports.
 
-use super::entry::{Effect, Entry};
+use super::entry::{Effect, Entry, Equation};
 use super::pattern::{ANY_OPERANDS, UNMODELLED, form, text};
 
 /// The entries, in manual order.
@@ -10,6 +10,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "23.3",
         forms: &[form("COM_SEND com"), form("COM_SEND com, value")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Dr, Effect::Memory],
         writes: &[Effect::Rlo],
         summary: text(
@@ -23,6 +24,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "23.3",
         forms: &[form("COM_SEND_STR com, text, length")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
         summary: text(
@@ -36,6 +38,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "23.3",
         forms: &[form("COM_RECV com"), form("COM_RECV com, cell")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         writes: &[Effect::Rlo, Effect::Dr, Effect::Memory],
         summary: text(
             "Takes a character received by a serial port; RLO 1 when there is none.",

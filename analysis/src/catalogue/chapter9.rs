@@ -35,6 +35,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "9.4",
         forms: &[form("CAN_RECV_REQ can, objl, [objh], idl, [idh], proc, packet")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         writes: &[Effect::Rlo, Effect::Dr, Effect::Memory],
         summary: text(
             "Asks that a procedure be called for every CAN packet with an identifier in the given range.",
@@ -48,6 +49,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "9.4",
         forms: &[form("CAN_RECV_END handle")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
         summary: text(
@@ -61,6 +63,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "9.4",
         forms: &[form("CAN_RECV_DEL handle")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
         summary: text("Another name of CAN_RECV_END.", "Jiné jméno instrukce CAN_RECV_END."),
@@ -71,6 +74,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "9.5",
         forms: &[form("CAN_SYSIO_READ can, group, board, item")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         writes: &[Effect::Rlo, Effect::Dr],
         summary: text(
             "Reads a value of a system CAN unit into DR; RLO 0 means success.",
@@ -83,6 +87,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         chapter: "9.5",
         forms: &[form("CAN_SYSIO_WRITE can, group, board, item")],
         operands: ANY_OPERANDS,
+        equation: Equation::Overwrite,
         reads: &[Effect::Dr],
         writes: &[Effect::Rlo],
         summary: text(

@@ -70,6 +70,15 @@ impl Bilingual {
     }
 }
 
+impl Entry {
+    /// Whether it is an 80386 instruction known by name only, so that it is not reported as unknown. Such names
+    /// make poor suggestions, and a symbol may well be called `LOOP` or `TEST`.
+    #[must_use]
+    pub fn is_known_only(&self) -> bool {
+        self.chapter == assembler::CHAPTER && !self.executable
+    }
+}
+
 /// How a prefix is spelled in a source text (manual 3.9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PrefixSpelling {
@@ -110,9 +119,8 @@ impl Prefix {
     }
 }
 
-/// The files of entries, in manual order.
+/// The files of entries, in manual order; the 80386 instructions come last.
 static CHAPTERS: &[&[Entry]] = &[
-    assembler::ENTRIES,
     chapter3_declarations::ENTRIES,
     chapter3_bits::ENTRIES,
     chapter3_jumps::ENTRIES,
@@ -141,6 +149,7 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter23::ENTRIES,
     chapter26::ENTRIES,
     chapter27::ENTRIES,
+    assembler::ENTRIES,
 ];
 
 static BY_NAME: LazyLock<HashMap<&'static str, &'static Entry>> =
@@ -155,7 +164,7 @@ pub fn entry(name: &str) -> Option<&'static Entry> {
     look_up(&BY_NAME, name).copied()
 }
 
-/// Every entry, in manual order.
+/// Every entry, in manual order; the 80386 instructions come last.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     CHAPTERS.iter().copied().flatten()
 }

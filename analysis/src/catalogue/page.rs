@@ -183,7 +183,7 @@ fn facts(entry: &Entry, language: Language) -> Vec<String> {
         ),
         None => {}
     }
-    if !entry.executable {
+    if !entry.executable && !entry.is_known_only() {
         facts.push(
             say(
                 "Known to the editor; `build` does not take it yet",

@@ -4,7 +4,9 @@
 //! leaves it equal. At the outer edge it becomes a [`Diagnostic`] with absolute lines and the severity the
 //! project's `[lints]` ask for.
 
+pub(crate) mod file;
 pub mod rules;
+mod syntax;
 
 use crate::location::{Location, Span};
 use crate::semantics::hir::SymbolKey;
@@ -116,6 +118,8 @@ pub enum Anchor {
     },
     /// Where a symbol is declared.
     Symbol(SymbolKey),
+    /// An absolute place; only findings made at the outer edge have one.
+    Place(Location),
 }
 
 impl Finding {

@@ -225,3 +225,22 @@ pub(super) fn symbol<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) ->
     };
     database::lookup(db, project, NameRef::new(db, key.name.clone(), file)).as_ref()
 }
+
+/// A symbol's name as its declaration spells it.
+pub(super) fn spelling(db: &dyn Db, project: Project, key: &SymbolKey) -> String {
+    if let Some(name) = database::sites(db, project).get(key).and_then(|sites| declared(db, sites)) {
+        return name.to_owned();
+    }
+    let mechanism = line_of(db, project, key).map(|mechanism| sites(db, project, mechanism));
+    match mechanism.and_then(|sites| declared(db, sites)) {
+        Some(name) => format!("{name}_LINE"),
+        None => key.name.to_string(),
+    }
+}
+
+/// The name as the first of its declarations spells it.
+fn declared<'db>(db: &'db dyn Db, sites: &[database::Site<'db>]) -> Option<&'db str> {
+    let site = sites.first()?;
+    let names = &database::section_declarations(db, site.section).names;
+    names.get(site.index as usize).map(|declared| declared.name.text.as_str())
+}

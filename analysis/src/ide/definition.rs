@@ -38,3 +38,92 @@ pub(super) fn label(db: &dyn Db, section: Section<'_>, key: &str) -> Vec<Locatio
         .filter_map(|declared| cursor::location(db, section, declared.line, &declared.name.columns))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::fixture;
+
+    fn check(text: &str) -> String {
+        let it = fixture(text);
+        let found = it.analysis.definition(&it.file, it.at).expect("not cancelled");
+        found.iter().map(|location| it.show(location)).collect()
+    }
+
+    #[test]
+    fn a_bit_of_another_file() {
+        insta::assert_snapshot!(check("\
+//- main.plc
+DATA
+DATA_END
+MODULE_MAIN
+ LDR -PORT.in_<CURSOR>run
+MODULE_MAIN_END
+//- spindle.plc
+DATA
+PORT: DFM ,In_Run
+DATA_END
+"), @"");
+    }
+
+    #[test]
+    fn a_local_name_hides_nothing_of_other_files() {
+        let text = |first: &str, second: &str| {
+            format!(
+                "//- main.plc\nDATA\nDATA_END\nDATA_LOCAL\nX: DS 1\nDATA_LOCAL_END\nMODULE_MAIN\n LOD {first}\nMODULE_MAIN_END\n\
+                 //- other.plc\nDATA\nDATA_END\nDATA_LOCAL\nX: DS 2\nDATA_LOCAL_END\nMODULE_MAIN\n LOD {second}\nMODULE_MAIN_END\n"
+            )
+        };
+        insta::assert_snapshot!(check(&text("X<CURSOR>", "X")), @"");
+        insta::assert_snapshot!(check(&text("X", "X<CURSOR>")), @"");
+    }
+
+    #[test]
+    fn mechanisms_procedures_and_constants() {
+        let text = |operation: &str| {
+            format!(
+                "EQUI LIMIT,5\nMODULE_MAIN\n {operation}\n MECH_BEGIN CLAMP\n EX\n MECH_END CLAMP\n\
+                 PROC_BEGIN COUNT\nPROC_END COUNT\nMODULE_MAIN_END\n"
+            )
+        };
+        insta::assert_snapshot!(check(&text("MECH_INIT CL<CURSOR>AMP")), @"");
+        insta::assert_snapshot!(check(&text("LOD CLAMP_<CURSOR>LINE")), @"");
+        insta::assert_snapshot!(check(&text("PROC_CALL CO<CURSOR>UNT")), @"");
+        insta::assert_snapshot!(check(&text("LOD CNST.LIM<CURSOR>IT")), @"");
+    }
+
+    #[test]
+    fn a_label_of_the_same_section() {
+        insta::assert_snapshot!(check("\
+MODULE_MAIN
+ JL0 NE<CURSOR>XT
+NEXT: LDR X
+ MECH_BEGIN M
+NEXT: EX
+ MECH_END M
+MODULE_MAIN_END
+"), @"");
+    }
+
+    #[test]
+    fn an_included_file_and_what_it_declares() {
+        let text = |file: &str, name: &str| {
+            format!(
+                "//- main.plc\nT_INCLUDE lib\\{file}.inc\nDATA\nDATA_END\nMODULE_MAIN\n LOD CNST.{name}\nMODULE_MAIN_END\n\
+                 //- lib/limits.inc\nEQUI TOP,5\n"
+            )
+        };
+        insta::assert_snapshot!(check(&text("lim<CURSOR>its", "TOP")), @"");
+        insta::assert_snapshot!(check(&text("limits", "T<CURSOR>OP")), @"");
+    }
+
+    #[test]
+    fn a_name_declared_twice_has_both_places() {
+        insta::assert_snapshot!(check("DATA\nX: DS 1\nX: DS 2\nDATA_END\nMODULE_MAIN\n LOD X<CURSOR>\nMODULE_MAIN_END\n"), @"");
+    }
+
+    #[test]
+    fn words_of_the_language_have_none() {
+        assert_eq!(check("MODULE_MAIN\n LD<CURSOR>R P1IN\nMODULE_MAIN_END\n"), "");
+        assert_eq!(check("MODULE_MAIN\n LOD P1<CURSOR>IN\nMODULE_MAIN_END\n"), "");
+    }
+}

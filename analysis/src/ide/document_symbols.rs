@@ -125,3 +125,70 @@ fn detail(declared: &Declared) -> String {
         _ => String::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+
+    use super::super::fixture::fixture;
+    use super::*;
+
+    fn check(text: &str) -> String {
+        let it = fixture(text);
+        let mut out = String::new();
+        for symbol in it.analysis.document_symbols(&it.file).expect("not cancelled") {
+            write(&symbol, 0, &mut out);
+        }
+        out
+    }
+
+    fn write(symbol: &DocumentSymbol, depth: usize, out: &mut String) {
+        let Span { start, end } = symbol.span;
+        assert!(start <= symbol.selection.start && symbol.selection.end <= end, "{symbol:?}");
+        let lines = format!("{}:{}-{}:{}", start.line + 1, start.column, end.line + 1, end.column);
+        let indent = "  ".repeat(depth);
+        writeln!(out, "{indent}{:?} {} {} [{lines}]", symbol.kind, symbol.name, symbol.detail).expect("a String");
+        for child in &symbol.children {
+            assert!(start <= child.span.start && child.span.end <= end, "{child:?} in {symbol:?}");
+            write(child, depth + 1, out);
+        }
+    }
+
+    #[test]
+    fn sections_nest_and_bits_stand_in_their_byte() {
+        insta::assert_snapshot!(check("\
+EQUI LIMIT,10
+DEF_T_MACRO Swap A,B
+END_T_MACRO
+DATA
+ COUNT: DS 2
+ STATE: DFM RUN,,FAULT
+        DFM LOOSE
+ TABLE: DS 30
+ NOTE: STR 9,'on'
+ ALONE:
+        DFM BEHIND
+DATA_END
+MODULE_MAIN
+L: LDR RUN
+ MECH_BEGIN Clamp
+  DATA_LOCAL
+   INNER: DS 1
+  DATA_LOCAL_END
+ MECH_END Clamp
+ PROC_BEGIN Count1
+ PROC_END Count1
+MODULE_MAIN_END
+"), @"");
+    }
+
+    #[test]
+    fn sections_without_a_name_or_an_end_are_listed() {
+        insta::assert_snapshot!(check("MODULE_MAIN\n MECH_BEGIN\n  EX\n MECH_BEGIN B\n  EX"), @"");
+    }
+
+    #[test]
+    fn an_empty_file_has_no_outline() {
+        assert_eq!(check("\n"), "");
+    }
+}

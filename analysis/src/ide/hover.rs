@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::cursor::{self, Cursor, Meaning, Word};
+use super::cursor::{self, Cursor, Meaning};
 use super::describe;
 use crate::catalogue::{self, EntryKind, Language, page};
 use crate::database::{self, Db, Project, Section, SourceFile};
@@ -128,4 +128,111 @@ fn address(db: &dyn Db, project: Project, key: &SymbolKey) -> Option<String> {
         PlacedKind::Bit(bit) => format!("{addr}.{bit}"),
         _ => addr,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::fixture;
+    use super::*;
+
+    fn check(text: &str) -> String {
+        let it = fixture(text);
+        let found = it.analysis.hover(&it.file, it.at, Language::En).expect("not cancelled");
+        let Some(hover) = found else { return "nothing".to_owned() };
+        let location = crate::Location { file: it.file.clone(), span: hover.span };
+        format!("{}\n{}", it.show(&location), hover.markdown)
+    }
+
+    #[test]
+    fn a_word_of_the_language_shows_its_page() {
+        let it = fixture("MODULE_MAIN\n L<CURSOR>dr X\nMODULE_MAIN_END\n");
+        let hover = it.analysis.hover(&it.file, it.at, Language::Cs).expect("not cancelled").expect("help");
+        let entry = catalogue::entry("LDR").expect("LDR is an instruction");
+        assert_eq!(hover.markdown, page::markdown(entry, Language::Cs));
+        assert_eq!(hover.span, Span::in_line(1, 1, 4));
+    }
+
+    #[test]
+    fn a_prefix_and_a_keyword_show_their_page() {
+        for (operand, name) in [("WO<CURSOR>RD.X", "WORD"), ("CNTS<CURSOR>.5", "CNST"), ("X[<CURSOR>BX]", "BX")] {
+            let text = format!("DATA\nX: DS 4\nDATA_END\nMODULE_MAIN\n LOD {operand}\nMODULE_MAIN_END\n");
+            let it = fixture(&text);
+            let hover = it.analysis.hover(&it.file, it.at, Language::En).expect("not cancelled").expect(name);
+            assert_eq!(hover.markdown, page::markdown(catalogue::entry(name).expect(name), Language::En));
+        }
+    }
+
+    #[test]
+    fn a_predefined_symbol_shows_its_page() {
+        let it = fixture("MODULE_MAIN\n LOD P1<CURSOR>IN\nMODULE_MAIN_END\n");
+        let hover = it.analysis.hover(&it.file, it.at, Language::En).expect("not cancelled").expect("help");
+        let symbol = catalogue::symbol("P1IN").expect("a port");
+        assert_eq!(hover.markdown, page::symbol_markdown(symbol, Language::En));
+    }
+
+    #[test]
+    fn a_cell_shows_its_declaration_type_address_and_comment() {
+        insta::assert_snapshot!(check(
+            "DATA\nFIRST: DS 1\nSpeed:  DS 2   ;--- rev/min ---\nDATA_END\n\
+             MODULE_MAIN\n LOD WORD.spe<CURSOR>ed\nMODULE_MAIN_END\n"
+        ), @"");
+    }
+
+    #[test]
+    fn a_bit_shows_its_byte() {
+        insta::assert_snapshot!(check(
+            "//- main.plc\nMODULE_MAIN\n LDR -IN_R<CURSOR>UN\nMODULE_MAIN_END\n\
+             //- data.plc\nDATA\nINPUTS: DFM ,,IN_RUN,IN_STOP\nDATA_END\n"
+        ), @"");
+    }
+
+    #[test]
+    fn a_constant_shows_its_value() {
+        insta::assert_snapshot!(check(
+            "EQUI LIMIT,1000 ;steps\nEQUI TWICE,LIMIT+LIMIT\nMODULE_MAIN\n LOD CNST.TW<CURSOR>ICE\nMODULE_MAIN_END\n"
+        ), @"");
+    }
+
+    #[test]
+    fn a_mechanism_and_its_line_show_where_it_begins() {
+        let text = |operand: &str| {
+            format!("MODULE_MAIN\n LOD {operand}\n MECH_BEGIN Clamp ;close the chuck\n EX\n MECH_END Clamp\nMODULE_MAIN_END\n")
+        };
+        insta::assert_snapshot!(check(&text("CLAMP_L<CURSOR>INE")), @"");
+        insta::assert_snapshot!(check(&text("<CURSOR>CLAMP")), @"");
+    }
+
+    #[test]
+    fn a_text_and_an_area_show_their_length() {
+        insta::assert_snapshot!(check("DATA\nNOTE: STR 15,'<CURSOR>on'\nDATA_END\n"), @"nothing");
+        insta::assert_snapshot!(check("DATA\nNO<CURSOR>TE: STR 15,'on'\nDATA_END\n"), @"");
+        insta::assert_snapshot!(check("DATA\nTAB<CURSOR>LE: DS 30\nDATA_END\n"), @"");
+    }
+
+    #[test]
+    fn a_label_shows_its_line() {
+        insta::assert_snapshot!(check(
+            "MODULE_MAIN\n JUM EN<CURSOR>D\nEnd: LDR X ;all done\nMODULE_MAIN_END\n"
+        ), @"");
+    }
+
+    #[test]
+    fn blanks_comments_and_unknown_names_show_nothing() {
+        for text in [
+            "MODULE_MAIN\n<CURSOR> LDR X\n",
+            "MODULE_MAIN\n LDR X ;LD<CURSOR>R\n",
+            "MODULE_MAIN\n LDR NOBO<CURSOR>DY\n",
+            "MODULE_MAIN\n LDR X\n<CURSOR>",
+            "<CURSOR>",
+        ] {
+            assert_eq!(check(text), "nothing", "{text}");
+        }
+    }
+
+    #[test]
+    fn a_broken_line_still_knows_its_names() {
+        insta::assert_snapshot!(check(
+            "DATA\nX: DS 1\nDATA_END\nMODULE_MAIN\n LOD X<CURSOR> )\nMODULE_MAIN_END\n"
+        ), @"");
+    }
 }

@@ -13,6 +13,7 @@ mod cursor;
 mod describe;
 #[cfg(test)]
 mod fixture;
+mod questions;
 mod symbol_tag;
 
 pub use completion::{Completion, CompletionKind, completion};

@@ -82,3 +82,79 @@ pub(super) fn files(db: &dyn Db, project: Project) -> impl Iterator<Item = Sourc
 fn file_order(db: &dyn Db, project: Project) -> BTreeMap<&str, usize> {
     files(db, project).enumerate().map(|(order, file)| (file.path(db).as_str(), order)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::fixture;
+
+    fn check(text: &str, include_declaration: bool) -> String {
+        let it = fixture(text);
+        let found = it.analysis.references(&it.file, it.at, include_declaration).expect("not cancelled");
+        found.iter().map(|r| format!("{:?} {}", r.access, it.show(&r.location))).collect()
+    }
+
+    const TWO_FILES: &str = "\
+//- main.plc
+DATA
+COUNT: DS 1
+STATE: DFM RUN,FAULT
+DATA_END
+MODULE_MAIN
+ LDR R<CURSOR>UN
+ LA -FAULT
+ WR FAULT
+ LOD COUNT
+ INR
+ STO COUNT
+MODULE_MAIN_END
+//- a.plc
+DATA
+DATA_END
+MODULE_MAIN
+ FL 1,run,FAULT
+ LDR COUNT.RUN
+MODULE_MAIN_END
+";
+
+    #[test]
+    fn reads_and_writes_across_files() {
+        insta::assert_snapshot!(check(TWO_FILES, true), @"");
+    }
+
+    #[test]
+    fn the_declaration_is_left_out_on_request() {
+        insta::assert_snapshot!(check(&TWO_FILES.replace("<CURSOR>", "").replacen("COUNT", "<CURSOR>COUNT", 1), false), @"");
+    }
+
+    #[test]
+    fn a_mechanism() {
+        insta::assert_snapshot!(check("\
+MODULE_MAIN
+ MECH_INIT CLAMP
+ FL 1,CLAMP
+ MECH_BEGIN Cl<CURSOR>amp
+ EX
+ MECH_END clamp
+MODULE_MAIN_END
+", true), @"");
+    }
+
+    #[test]
+    fn a_label_stays_in_its_section() {
+        insta::assert_snapshot!(check("\
+MODULE_MAIN
+ JUM NEXT
+NEXT<CURSOR>: LDR X
+ MECH_BEGIN M
+ JUM NEXT
+NEXT: EX
+ MECH_END M
+MODULE_MAIN_END
+", true), @"");
+    }
+
+    #[test]
+    fn predefined_symbols_have_uses_too() {
+        insta::assert_snapshot!(check("MODULE_MAIN\n LOD P1<CURSOR>IN\n STO P0OUT\nMODULE_MAIN_END\n", true), @"");
+    }
+}

@@ -92,3 +92,61 @@ fn keyword(kind: SectionKind) -> String {
     }
     .to_owned()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::fixture;
+    use super::*;
+
+    const PROJECT: &str = "\
+//- main.plc
+T_INCLUDE limits.inc
+DATA
+SPINDLE_ON: DFM START,SPIN
+DATA_END
+MODULE_MAIN
+L_SPIN: LDR START
+MODULE_MAIN_END
+//- spindle.plc
+DATA
+DATA_END
+MODULE_MAIN
+ MECH_BEGIN Spin_Up
+ EX
+ DATA_LOCAL
+  spare: DS 1
+ DATA_LOCAL_END
+ MECH_END Spin_Up
+MODULE_MAIN_END
+//- limits.inc
+EQUI MAX_SPIN,4000
+";
+
+    fn check(query: &str) -> String {
+        let it = fixture(PROJECT);
+        let found = it.analysis.workspace_symbols(query).expect("not cancelled");
+        let show = |s: &WorkspaceSymbol| format!("{:?} {} in {}: {}", s.kind, s.name, s.container, it.show(&s.location));
+        found.iter().map(show).collect()
+    }
+
+    #[test]
+    fn names_that_contain_the_letters_best_first() {
+        insta::assert_snapshot!(check("spin"), @"");
+    }
+
+    #[test]
+    fn letters_may_have_others_between_them() {
+        insta::assert_snapshot!(check("sU"), @"");
+    }
+
+    #[test]
+    fn nothing_matches_a_stranger() {
+        assert_eq!(check("zzz"), "");
+    }
+
+    #[test]
+    fn names_rank_by_how_well_they_match() {
+        let ranks = ["AB", "ABC", "XAB", "AXB", "BA"].map(|name| rank(name, "AB"));
+        assert_eq!(ranks, [Some(0), Some(1), Some(2), Some(3), None]);
+    }
+}

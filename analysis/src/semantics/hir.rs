@@ -9,7 +9,7 @@ use crate::catalogue::Entry;
 use crate::syntax::section::SectionKind;
 
 /// Who owns a symbol.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, salsa::SalsaValue)]
 pub enum SymbolScope {
     /// DATA of any file, mechanisms, procedures.
     Global,
@@ -20,7 +20,7 @@ pub enum SymbolScope {
 }
 
 /// A symbol of the project: scope and key (upper case, 31 characters).
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, salsa::SalsaValue)]
 pub struct SymbolKey {
     /// Who owns it.
     pub scope: SymbolScope,

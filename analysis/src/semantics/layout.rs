@@ -19,6 +19,7 @@ use technol_image::op::{Addr, Width};
 use technol_image::program::{InitialData, ModuleKind, SequenceKind};
 use technol_image::system;
 
+use crate::catalogue::{self, SystemKind};
 use crate::semantics::declarations::{Declarations, What};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::syntax::ast;
@@ -140,10 +141,9 @@ pub fn line_key(mechanism: &str) -> String {
 }
 
 impl Layout {
-    /// Lays out `blocks`, given in execution order of their files and in source order within a file. `system` gives the
-    /// addresses of predefined symbols, which texts may lie over.
+    /// Lays out `blocks`, given in execution order of their files and in source order within a file.
     #[must_use]
-    pub fn compute(blocks: &[DataBlock<'_>], system: &dyn Fn(&str) -> Option<Addr>) -> Layout {
+    pub fn compute(blocks: &[DataBlock<'_>]) -> Layout {
         let mut layout = Layout::default();
         let data_len = layout.measure(blocks);
         let count = blocks.iter().filter(|b| sequence_kind(b.kind).is_some()).count();
@@ -156,7 +156,7 @@ impl Layout {
             layout.place_block(block, &mut next);
         }
         for block in blocks {
-            layout.place_overlays(block, system);
+            layout.place_overlays(block);
         }
         layout
     }
@@ -274,10 +274,10 @@ impl Layout {
         }
     }
 
-    fn place_overlays(&mut self, block: &DataBlock<'_>, system: &dyn Fn(&str) -> Option<Addr>) {
+    fn place_overlays(&mut self, block: &DataBlock<'_>) {
         for declared in &block.declarations.names {
             let What::Text { storage: None, over: Some(over), len } = &declared.what else { continue };
-            let base = named_addr(&self.places, block.file, &over.symbol, system);
+            let base = named_addr(&self.places, block.file, &over.symbol);
             let addr = base.and_then(|base| Addr::try_from(i64::from(base).checked_add(over.offset)?).ok());
             if let Some(addr) = addr {
                 let placed = Placed { addr, len: len.saturating_add(1), kind: PlacedKind::Text(*len) };
@@ -289,14 +289,21 @@ impl Layout {
 }
 
 /// A symbol as an overlay names it: local to the file, else global, else predefined.
-fn named_addr(
-    places: &HashMap<SymbolKey, Placed>,
-    file: u8,
-    name: &str,
-    system: &dyn Fn(&str) -> Option<Addr>,
-) -> Option<Addr> {
+fn named_addr(places: &HashMap<SymbolKey, Placed>, file: u8, name: &str) -> Option<Addr> {
     let find = |scope| places.get(&SymbolKey { scope, name: name.into() }).map(|p| p.addr);
-    find(SymbolScope::File(file)).or_else(|| find(SymbolScope::Global)).or_else(|| system(name))
+    find(SymbolScope::File(file)).or_else(|| find(SymbolScope::Global)).or_else(|| system_addr(&catalogue::symbol(name)?.kind))
+}
+
+/// First byte of a predefined symbol; `None` for one without memory.
+#[must_use]
+pub const fn system_addr(kind: &SystemKind) -> Option<Addr> {
+    match *kind {
+        SystemKind::Bit { addr, .. }
+        | SystemKind::Cell { addr, .. }
+        | SystemKind::Array { addr, .. }
+        | SystemKind::Area { addr, .. } => Some(addr),
+        SystemKind::FormalBit { .. } | SystemKind::Constant(_) => None,
+    }
 }
 
 /// Next free byte of the regions.
@@ -350,10 +357,6 @@ mod tests {
         DataBlock { kind, name, file, declarations }
     }
 
-    fn nothing(_: &str) -> Option<Addr> {
-        None
-    }
-
     fn global(name: &str) -> SymbolKey {
         SymbolKey { scope: SymbolScope::Global, name: name.into() }
     }
@@ -377,7 +380,7 @@ mod tests {
             ],
         );
         let blocks = [block(SectionKind::Data, "", 0, &first), block(SectionKind::Data, "", 1, &second)];
-        let layout = Layout::compute(&blocks, &nothing);
+        let layout = Layout::compute(&blocks);
         let place = |name| layout.place(&global(name)).map(|p| (p.addr, p.len, p.kind));
         assert_eq!(place("ALFA"), Some((0x8000, 1, PlacedKind::Cell(Width::Byte))));
         assert_eq!(place("BETA"), Some((0x8001, 4, PlacedKind::Cell(Width::DWord))));
@@ -396,7 +399,7 @@ mod tests {
         let names: Vec<String> = (0..9).map(|n| format!("M{n}")).collect();
         let mut blocks = vec![block(SectionKind::Data, "", 0, &cells), block(SectionKind::DataLocal, "", 1, &local)];
         blocks.extend(mechs.iter().zip(&names).map(|(d, n)| block(SectionKind::Mechanism, n, 0, d)));
-        let layout = Layout::compute(&blocks, &nothing);
+        let layout = Layout::compute(&blocks);
         assert_eq!(layout.global_len, 3 + 2 + 9 * 6);
         let eighth = &layout.sequences[8];
         assert_eq!((eighth.active_addr, eighth.active_bit), (0x8004, 0));
@@ -411,7 +414,7 @@ mod tests {
     fn block_modules_have_cells_but_no_symbol() {
         let none = Declarations::default();
         let layout =
-            Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)], &nothing);
+            Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)]);
         assert_eq!(layout.sequences.len(), 1);
         assert_eq!(&*layout.sequences[0].name, "MODULE_BLOCK_INIT");
         assert_eq!(layout.place(&global("MODULE_BLOCK_INIT")), None);
@@ -423,10 +426,10 @@ mod tests {
             &[MAX_REGION, 1],
             vec![named("A", 1, What::Area { storage: 0 }), named("B", 2, What::Cell { storage: 1 })],
         );
-        let overflow = Layout::compute(&[block(SectionKind::Data, "", 0, &big)], &nothing).overflow.unwrap();
+        let overflow = Layout::compute(&[block(SectionKind::Data, "", 0, &big)]).overflow.unwrap();
         assert_eq!((overflow.block, overflow.line), (0, 2));
         let huge = data(&[u32::MAX, u32::MAX], vec![]);
-        assert!(Layout::compute(&[block(SectionKind::DataLocal, "", 0, &huge)], &nothing).overflow.is_some());
+        assert!(Layout::compute(&[block(SectionKind::DataLocal, "", 0, &huge)]).overflow.is_some());
     }
 
     #[test]
@@ -437,18 +440,17 @@ mod tests {
             vec![
                 named("TX", 1, What::Text { storage: Some(0), over: None, len: 3 }),
                 named("TAIL", 2, What::Text { storage: None, over: over("TX", 1), len: 2 }),
-                named("FAR", 3, What::Text { storage: None, over: over("PLC_MEM", 16), len: 2 }),
+                named("FAR", 3, What::Text { storage: None, over: over("P0OUT", 16), len: 2 }),
                 named("LOST", 4, What::Text { storage: None, over: over("NOBODY", 0), len: 2 }),
             ],
         );
-        let system = |name: &str| (name == "PLC_MEM").then_some(0x1000);
         text.storage[0].initial = Some(b"ABC".to_vec());
-        let layout = Layout::compute(&[block(SectionKind::Data, "", 0, &text)], &system);
+        let layout = Layout::compute(&[block(SectionKind::Data, "", 0, &text)]);
         assert_eq!(layout.initial, vec![InitialData { addr: 0x8000, bytes: b"ABC".to_vec() }]);
         let place = |name| layout.place(&global(name)).map(|p| (p.addr, p.len));
         assert_eq!(place("TX"), Some((0x8000, 4)));
         assert_eq!(place("TAIL"), Some((0x8001, 3)));
-        assert_eq!(place("FAR"), Some((0x1010, 3)));
+        assert_eq!(place("FAR"), Some((system::OUT_PORTS + 16, 3)));
         assert_eq!(place("LOST"), None);
     }
 }

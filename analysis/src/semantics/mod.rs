@@ -1,19 +1,27 @@
 //! Declarations, scopes, memory layout, operands and types, equations, structure.
+//!
+//! `collect` reads what a section declares, `program` joins that to the scope of the project, `code` walks the lines
+//! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `data` and
+//! `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
+//! files.
 
 pub mod analysis;
+pub(crate) mod code;
+pub(crate) mod collect;
 pub mod constant;
 pub mod declarations;
 pub mod hir;
+pub mod layout;
+pub mod program;
 pub mod reference;
 pub mod scope;
+pub mod structure;
+pub(crate) mod suggest;
 
 mod address;
-pub(crate) mod code;
-pub(crate) mod collect;
+mod data;
 mod equations;
 mod flow;
+mod moves;
 mod operands;
-mod place;
-mod structure;
-mod suggest;
-pub mod program;
+pub(crate) mod place;

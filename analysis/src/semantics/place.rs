@@ -10,7 +10,7 @@ use crate::syntax::section::SectionKind;
 
 /// The place of the lines of a section.
 #[derive(Debug)]
-pub(super) struct Context {
+pub(crate) struct Context {
     kind: SectionKind,
     outer: Vec<SectionKind>,
     /// The section belongs to an included file.
@@ -22,7 +22,7 @@ pub(super) struct Context {
 type Refusal = (&'static Rule, String);
 
 impl Context {
-    pub(super) fn of(db: &dyn Db, project: Project, section: Section<'_>, included: bool) -> Context {
+    pub(crate) fn of(db: &dyn Db, project: Project, section: Section<'_>, included: bool) -> Context {
         let own = section.kind(db);
         let part = || database::parts(db, project).parts.iter().find(|part| part.section == section);
         // Only an included file depends on who includes it.
@@ -49,7 +49,7 @@ impl Context {
     }
 
     /// Why an instruction may not stand here.
-    pub(super) fn refuses(&self, entry: &Entry) -> Option<Refusal> {
+    pub(crate) fn refuses(&self, entry: &Entry) -> Option<Refusal> {
         if entry.ex_type || entry.place == Place::Sequence {
             return self.refuses_wait(entry);
         }

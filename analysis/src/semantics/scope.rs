@@ -10,7 +10,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 use technol_image::op::Width;
 
-use super::hir::{SymbolKey, SymbolScope};
+use super::hir::SymbolKey;
 use crate::syntax::section::SectionKind;
 
 /// What a symbol stands for.

@@ -1,7 +1,7 @@
 //! "Did you mean": the nearest of known names.
 
 /// The candidate nearest to `word`, if one is near enough to be a likely slip. Both are compared in upper case.
-pub(super) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_ascii_uppercase().into_bytes();
     let limit = match word.len() {
         0 | 1 => return None,

@@ -23,10 +23,10 @@ impl Session {
     pub(super) fn evaluate(&mut self, request: &Request) -> Answer {
         let arguments: EvaluateArguments = request.parse()?;
         let order = self.order_of_frame(request, arguments.frame_id)?;
-        if matches!(arguments.context, Some(EvaluateArgumentsContext::Repl)) {
-            if let Some(said) = self.command(&arguments.expression, order)? {
-                return body(&EvaluateResponse { result: said, ..EvaluateResponse::default() });
-            }
+        if matches!(arguments.context, Some(EvaluateArgumentsContext::Repl))
+            && let Some(said) = self.command(&arguments.expression, order)?
+        {
+            return body(&EvaluateResponse { result: said, ..EvaluateResponse::default() });
         }
         let hex = wants_hex(arguments.format.as_ref());
         let named = self.named(order, &arguments.expression)?;

@@ -62,12 +62,6 @@ impl Session {
         let Some(id) = request.arguments["threadId"].as_i64() else {
             return Ok(stop.stopped.sequence);
         };
-        match sequence_of_thread(id) {
-            Some(Some(n)) if usize::from(n) >= debuggee.program.sequences.len() => {
-                Err(RequestError::Stale { what: "thread", id })
-            }
-            Some(sequence) => Ok(sequence),
-            None => Err(RequestError::Stale { what: "thread", id }),
-        }
+        sequence_of_thread(debuggee, id)
     }
 }

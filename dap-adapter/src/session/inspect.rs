@@ -5,10 +5,12 @@ use dap::responses::{SetVariableResponse, VariablesResponse};
 use dap::types::{InvalidatedAreas, ValueFormat, Variable, VariablesArgumentsFilter};
 use dap::events::{Event, InvalidatedEventBody};
 
+use technol_analysis::expression::{Assignment, RegisterChange, ValueError};
 use technol_image::op::{Addr, Width};
 use technol_wire::message::{Registers, Request as Ask, Response, SequenceState};
 
 use crate::errors::RequestError;
+use crate::expression;
 use crate::mechanisms;
 use crate::memory::{MemoryView, ReadPlan};
 use crate::registers::{self, Register};
@@ -173,48 +175,32 @@ impl Session {
         text: &str,
         hex: bool,
     ) -> Result<String, RequestError> {
-        let wrong = |reason: String| RequestError::Value(format!("`{name}`: {reason}"));
-        let read_only = |reason| RequestError::ReadOnly { name: name.to_owned(), reason };
+        let text = values::typed(text);
+        let read_only = |reason| Err(RequestError::ReadOnly { name: name.to_owned(), reason });
         match *shown {
-            Shown::Bit { addr, bit } => {
-                let value = values::parse_bit(text).map_err(wrong)?;
-                let mask = 1 << (bit & 7);
-                self.write(Ask::WriteBits { addr, mask, value: if value { mask } else { 0 } })?;
-                Ok(values::bit(value))
-            }
-            Shown::Cell { addr, width } => {
-                let raw = values::parse_cell(text, width).map_err(wrong)?;
-                let bytes = raw.to_le_bytes()[..width.bytes() as usize].to_vec();
-                self.write(Ask::Write { addr, bytes })?;
-                Ok(values::cell(raw, width, hex))
-            }
-            Shown::Text { addr, len } => {
-                let bytes = values::parse_text(text, len).map_err(wrong)?;
-                let value = values::text(&bytes);
-                self.write(Ask::Write { addr, bytes })?;
-                Ok(value)
-            }
-            Shown::Register(register) => self.set_register(register, text, hex).map_err(|error| match error {
-                RequestError::Value(reason) => wrong(reason),
-                other => other,
-            }),
-            Shown::Mechanism(n) | Shown::Detail(n, Detail::Active) => {
-                let active = match text.trim().to_ascii_lowercase().as_str() {
-                    "start" => true,
-                    "stop" => false,
-                    _ => values::parse_bit(text).map_err(wrong)?,
-                };
-                self.set_mechanism(n, active)?;
-                Ok(if matches!(shown, Shown::Mechanism(_)) {
-                    if active { "started" } else { "at rest" }.to_owned()
-                } else {
-                    values::bit(active)
-                })
-            }
-            Shown::Detail(..) => Err(read_only("it follows from the state; start or stop the mechanism instead")),
-            Shown::Pushed(_) => Err(read_only("the equation would not balance")),
-            Shown::Area { .. } => Err(read_only("it is an area; set its bytes one by one")),
+            Shown::Mechanism(n) | Shown::Detail(n, Detail::Active) => return self.switch(n, shown, name, text),
+            Shown::Detail(..) => return read_only("it follows from the state; start or stop the mechanism instead"),
+            Shown::Pushed(_) | Shown::Register(Register::Stack) => return read_only("the equation would not balance"),
+            Shown::Area { .. } => return read_only("it is an area; set its bytes one by one"),
+            Shown::Bit { .. } | Shown::Cell { .. } | Shown::Text { .. } | Shown::Register(_) => {}
         }
+        let wrong = |reason: ValueError| RequestError::Value(format!("`{name}`: {reason}"));
+        let target = expression::target(shown).ok_or_else(|| wrong(ValueError::ReadOnly))?;
+        let mut facts = Facts::default();
+        match target.assign(text).map_err(wrong)? {
+            Assignment::Bit { addr, bit, value } => {
+                let mask = 1_u8 << (bit & 7);
+                let value = if value { mask } else { 0 };
+                self.write(Ask::WriteBits { addr, mask, value })?;
+                facts.memory.add(&[(addr, 1)], &[value]);
+            }
+            Assignment::Memory { addr, bytes } => {
+                facts.memory.add(&[(addr, bytes.len() as u16)], &bytes);
+                self.write(Ask::Write { addr, bytes })?;
+            }
+            Assignment::Registers(change) => facts.registers = Some(self.change_registers(change)?),
+        }
+        Ok(plain_text(shown, &facts, hex))
     }
 
     fn write(&mut self, request: Ask) -> Result<(), RequestError> {
@@ -222,15 +208,29 @@ impl Session {
         target.ask(request).map(|_| ())
     }
 
-    fn set_register(&mut self, register: Register, text: &str, hex: bool) -> Result<String, RequestError> {
+    fn change_registers(&mut self, change: RegisterChange) -> Result<Registers, RequestError> {
         let (target, debuggee) = self.parts()?;
         let Some(stop) = &mut debuggee.stop else {
             return Err(RequestError::NotStopped { command: "setting a register".into() });
         };
-        let new = register.set(&stop.stopped.registers, text).map_err(RequestError::Value)?;
+        let new = registers::changed(&stop.stopped.registers, change);
         target.ask(Ask::SetRegisters(new))?;
         stop.stopped.registers = new;
-        Ok(register.show(&new, hex))
+        Ok(new)
+    }
+
+    /// Starts a mechanism or puts it into rest: `start`, `stop`, or a bit.
+    fn switch(&mut self, sequence: u16, shown: &Shown, name: &str, text: &str) -> Result<String, RequestError> {
+        let active = match text.to_ascii_lowercase().as_str() {
+            "start" | "1" | "true" => true,
+            "stop" | "0" | "false" => false,
+            _ => return Err(RequestError::Value(format!("`{name}`: a mechanism takes 1 (start) or 0 (stop)"))),
+        };
+        self.set_mechanism(sequence, active)?;
+        Ok(match shown {
+            Shown::Mechanism(_) => if active { "started" } else { "at rest" }.to_owned(),
+            _ => values::bit(active),
+        })
     }
 
     pub(super) fn set_mechanism(&mut self, sequence: u16, active: bool) -> Result<(), RequestError> {

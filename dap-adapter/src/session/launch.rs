@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use dap::events::{
     BreakpointEventBody, Event, ExitedEventBody, ProcessEventBody, ThreadEventBody,
 };
-use dap::requests::{DisconnectArguments, InitializeArguments};
+use dap::requests::DisconnectArguments;
 use dap::types::{
     BreakpointEventReason, Capabilities, ExceptionBreakpointsFilter, OutputEventCategory, ProcessEventStartMethod,
     ThreadEventReason,
@@ -21,7 +21,7 @@ use crate::request::Request;
 
 use super::phase::Phase;
 use super::stack::PLC_THREAD;
-use super::{Answer, How, Session, Stop, Timer, body};
+use super::{Answer, ClientTraits, How, Session, Stop, Timer, body};
 
 /// MODULE_DONE and the control's own ending get this long.
 const ENDING: Duration = Duration::from_secs(3);
@@ -30,13 +30,14 @@ pub(super) const FAULT_FILTER: &str = "fault";
 
 impl Session {
     pub(super) fn initialize(&mut self, request: &Request) -> Answer {
-        // Only preferences: a client that leaves out even `adapterID` is served as well.
-        let arguments: InitializeArguments = request.parse().unwrap_or_default();
-        let first = |from_one: Option<bool>| i64::from(from_one.unwrap_or(true));
-        self.client.first_line = first(arguments.lines_start_at1);
-        self.client.first_column = first(arguments.columns_start_at1);
-        self.client.invalidated = arguments.supports_invalidated_event.unwrap_or(false);
-        self.client.progress = arguments.supports_progress_reporting.unwrap_or(false);
+        // Only preferences, each for itself: a client that leaves out even `adapterID` is served as well.
+        let says = |field: &str, otherwise: bool| request.arguments[field].as_bool().unwrap_or(otherwise);
+        self.client = ClientTraits {
+            first_line: i64::from(says("linesStartAt1", true)),
+            first_column: i64::from(says("columnsStartAt1", true)),
+            invalidated: says("supportsInvalidatedEvent", false),
+            progress: says("supportsProgressReporting", false),
+        };
         self.phase = Phase::Initialized;
         body(&capabilities())
     }
@@ -80,7 +81,12 @@ impl Session {
         self.arm_breakpoints()?;
         let (_, debuggee) = self.parts()?;
         let (name, launched) = (debuggee.program.name.clone(), matches!(debuggee.how, How::Launch(_)));
-        let held = if launched { self.start_program()? } else { self.held_at_attach()? };
+        let held = if launched {
+            self.start_program()?;
+            None
+        } else {
+            self.held_at_attach()?
+        };
         self.phase = Phase::Running;
         let start_method =
             if launched { ProcessEventStartMethod::Launch } else { ProcessEventStartMethod::Attach };
@@ -96,16 +102,15 @@ impl Session {
         Ok(Value::Null)
     }
 
-    /// Starts the PLC from power-on. Answers `None`: stops are reported as events.
-    fn start_program(&mut self) -> Result<Option<Stopped>, RequestError> {
+    /// Starts the PLC from power-on.
+    fn start_program(&mut self) -> Result<(), RequestError> {
         self.end_program()?;
         let (target, debuggee) = self.parts()?;
-        let How::Launch(arguments) = &debuggee.how else { return Ok(None) };
+        let How::Launch(arguments) = &debuggee.how else { return Ok(()) };
         let stop_on_entry = arguments.stop_on_entry;
         debuggee.stop = None;
         debuggee.fault = None;
-        target.ask(Ask::Start { cold: true, stop_on_entry })?;
-        Ok(None)
+        target.ask(Ask::Start { cold: true, stop_on_entry }).map(|_| ())
     }
 
     /// Ends a program that is running, so that it can be started again.
@@ -231,6 +236,7 @@ impl Session {
         Ok(Value::Null)
     }
 
+    #[expect(clippy::unnecessary_wraps, reason = "handlers have one signature")]
     pub(super) fn disconnect(&mut self, request: &Request) -> Answer {
         let arguments: DisconnectArguments = request.parse().unwrap_or_default();
         self.leave_target(arguments.terminate_debuggee);

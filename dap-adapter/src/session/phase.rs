@@ -35,6 +35,7 @@ pub(crate) struct Command {
     /// Phases in which it is possible.
     phases: u8,
     /// The field of the capabilities that tells the client about it; `None`: every adapter has it.
+    #[cfg_attr(not(test), expect(dead_code, reason = "a test compares it with the capabilities"))]
     pub(crate) capability: Option<&'static str>,
     pub(crate) handler: fn(&mut Session, &Request) -> Answer,
 }

@@ -31,9 +31,14 @@ pub(super) fn thread_of_sequence(sequence: Option<u16>) -> i64 {
     sequence.map_or(PLC_THREAD, |n| FIRST_SEQUENCE + i64::from(n))
 }
 
-/// `Some(None)` is the thread of the modules, `None` no thread at all.
-pub(super) fn sequence_of_thread(id: i64) -> Option<Option<u16>> {
-    if id == PLC_THREAD { Some(None) } else { u16::try_from(id - FIRST_SEQUENCE).ok().map(Some) }
+/// The sequence of a thread, `None` for that of the modules; an error when there is no such thread.
+pub(super) fn sequence_of_thread(debuggee: &Debuggee, id: i64) -> Result<Option<u16>, RequestError> {
+    if id == PLC_THREAD {
+        return Ok(None);
+    }
+    let sequence = id.checked_sub(FIRST_SEQUENCE).and_then(|n| u16::try_from(n).ok());
+    let known = sequence.filter(|n| usize::from(*n) < debuggee.program.sequences.len());
+    known.map(Some).ok_or(RequestError::Stale { what: "thread", id })
 }
 
 /// A frame before it is told to the client.
@@ -84,7 +89,7 @@ impl Session {
     pub(super) fn stack_trace(&mut self, request: &Request) -> Answer {
         let arguments: StackTraceArguments = request.parse()?;
         let id = arguments.thread_id;
-        let sequence = sequence_of_thread(id).ok_or(RequestError::Stale { what: "thread", id })?;
+        let sequence = sequence_of_thread(self.debuggee()?, id)?;
         let sequences = self.sequences()?;
         let (debuggee, stop) = self.stop(request)?;
         let frames = frames_of_thread(debuggee, stop, &sequences, sequence)

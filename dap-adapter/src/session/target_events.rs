@@ -191,9 +191,8 @@ impl Session {
             return;
         }
         self.important(&format!("the link to the target is lost: {why}"));
-        let code = if self.terminating { 0 } else { 1 };
-        self.terminating = false;
-        self.end(Some(code));
+        let asked_for = std::mem::take(&mut self.terminating);
+        self.end(Some(i64::from(!asked_for)));
     }
 }
 

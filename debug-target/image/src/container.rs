@@ -128,9 +128,8 @@ pub fn decode(bytes: &[u8]) -> Result<Image, DecodeError> {
     if bytes.len() < 4 || bytes[..4] != MAGIC {
         return Err(DecodeError::NotAnImage);
     }
-    let word = |at: usize| -> Option<u32> {
-        Some(u32::from_le_bytes(bytes.get(at..at + 4)?.try_into().ok()?))
-    };
+    let word =
+        |at: usize| -> Option<u32> { Some(u32::from_le_bytes(bytes.get(at..at + 4)?.try_into().ok()?)) };
     let version = bytes.get(4..6).map(|b| u16::from_le_bytes([b[0], b[1]])).ok_or(DecodeError::Truncated)?;
     if version != FORMAT_VERSION {
         return Err(DecodeError::Version { found: version });

@@ -34,15 +34,7 @@ impl Encoder {
             compiler.error("", "needs `input` or `position`, else nothing can be seen of it");
         }
         compiler.at_least("period-ms", config.period_ms, 2);
-        Encoder {
-            output,
-            input,
-            direction,
-            position,
-            period: config.period_ms,
-            phase: 0,
-            count: 0,
-        }
+        Encoder { output, input, direction, position, period: config.period_ms, phase: 0, count: 0 }
     }
 
     pub(crate) fn reset(&mut self) {

@@ -23,8 +23,7 @@ impl Limit {
     pub(crate) fn compile(config: &config::Limit, compiler: &mut Compiler<'_>) -> Limit {
         let forward = compiler.drive("output-forward", &config.output_forward);
         // What is given but wrong is reported, and then the whole machine is refused.
-        let backward =
-            config.output_backward.as_ref().map(|names| compiler.drive("output-backward", names));
+        let backward = config.output_backward.as_ref().map(|names| compiler.drive("output-backward", names));
         let at_start =
             config.input_at_start.as_ref().and_then(|name| compiler.driven("input-at-start", name));
         let at_end = config.input_at_end.as_ref().and_then(|name| compiler.driven("input-at-end", name));

@@ -39,12 +39,10 @@ pub(crate) fn counter() -> Program {
     ];
     let module = |kind, start, end| Module { kind, file: 0, start, end };
     let message = Message {
-        number: 27,
-        time: 0,
-        persistent: false,
+        number: Some((Source::Int(27), word)),
         sub_id: None,
-        parameters: vec![],
-        ..message()
+        set: true,
+        parameters: [Some((Source::Mem(COUNT), word)), None, None],
     };
     Program {
         name: "counter".into(),

@@ -36,7 +36,7 @@ fn item(view: &View, rank: usize, found: Completion) -> CompletionItem {
         filter_text: (found.label != found.insert).then(|| found.insert.clone()),
         label: found.label,
         kind: Some(kind(found.kind)),
-        detail: found.detail,
+        detail: (!found.detail.is_empty()).then_some(found.detail),
         documentation: found.documentation.map(markdown),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit {
             range: view.range_here(found.replace),
@@ -46,9 +46,19 @@ fn item(view: &View, rank: usize, found: Completion) -> CompletionItem {
     }
 }
 
+/// The protocol's nearest icon; the same as in the outline where there is one.
 fn kind(kind: CompletionKind) -> CompletionItemKind {
     match kind {
-        CompletionKind::Instruction => CompletionItemKind::FUNCTION,
-        CompletionKind::Keyword => CompletionItemKind::KEYWORD,
+        CompletionKind::Instruction => CompletionItemKind::METHOD,
+        CompletionKind::Structure => CompletionItemKind::MODULE,
+        CompletionKind::Keyword | CompletionKind::Prefix => CompletionItemKind::KEYWORD,
+        CompletionKind::Bit => CompletionItemKind::FIELD,
+        CompletionKind::Cell | CompletionKind::Area => CompletionItemKind::VARIABLE,
+        CompletionKind::Text => CompletionItemKind::TEXT,
+        CompletionKind::Constant => CompletionItemKind::CONSTANT,
+        CompletionKind::Mechanism => CompletionItemKind::CLASS,
+        CompletionKind::Procedure => CompletionItemKind::FUNCTION,
+        CompletionKind::Macro => CompletionItemKind::SNIPPET,
+        CompletionKind::Label => CompletionItemKind::REFERENCE,
     }
 }

@@ -36,7 +36,7 @@ fn nested(view: &View, found: Found) -> DocumentSymbol {
     let children: Vec<_> = found.children.into_iter().map(|it| nested(view, it)).collect();
     DocumentSymbol {
         name: found.name,
-        detail: found.detail,
+        detail: (!found.detail.is_empty()).then_some(found.detail),
         kind: symbol_kind(found.kind),
         tags: None,
         deprecated: None,

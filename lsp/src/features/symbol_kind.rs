@@ -11,9 +11,9 @@ pub(super) fn symbol_kind(tag: SymbolTag) -> SymbolKind {
         SymbolTag::Mechanism => SymbolKind::CLASS,
         SymbolTag::Procedure => SymbolKind::FUNCTION,
         SymbolTag::Macro => SymbolKind::OPERATOR,
-        SymbolTag::Label => SymbolKind::KEY,
         SymbolTag::Bit => SymbolKind::BOOLEAN,
         SymbolTag::Cell => SymbolKind::VARIABLE,
+        SymbolTag::Area => SymbolKind::ARRAY,
         SymbolTag::Constant => SymbolKind::CONSTANT,
         SymbolTag::Text => SymbolKind::STRING,
     }

@@ -29,7 +29,7 @@ impl Feature for WorkspaceSymbols {
                     tags: None,
                     deprecated: None,
                     location,
-                    container_name: it.container,
+                    container_name: (!it.container.is_empty()).then_some(it.container),
                 };
                 // A file that several projects include shows its names once.
                 if !symbols.contains(&symbol) || views.len() == 1 {

@@ -20,3 +20,13 @@ pub static TOO_LARGE: Rule = Rule {
     fixed: true,
     explanation: "The program or its data are larger than an image can hold.",
 };
+
+/// T0803 not-translatable.
+pub static NOT_TRANSLATABLE: Rule = Rule {
+    code: "T0803",
+    name: "not-translatable",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The line is well formed, but there is no code for it: CLEAR over two data areas, a symbol without \
+        memory, a mechanism or procedure that stands in no module.",
+};

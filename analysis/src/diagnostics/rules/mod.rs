@@ -91,6 +91,7 @@ pub static RULES: &[&Rule] = &[
     &sequences::NESTED_RASTER,
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
+    &build::NOT_TRANSLATABLE,
 ];
 
 /// The rule with `code`, in any case.

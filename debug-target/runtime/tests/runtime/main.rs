@@ -4,6 +4,7 @@ mod bit_logic;
 mod blocks;
 mod data;
 mod debugger;
+mod limits;
 mod mechanisms;
 mod modules;
 mod numbers;

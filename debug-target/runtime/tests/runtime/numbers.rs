@@ -93,11 +93,11 @@ fn product_is_double_width_and_sign_extended() {
 fn quotient_takes_a_dividend_of_double_width() {
     let upper = 0x7700_0000_0000_0000;
     let rows = [
-        (Width::Byte, upper | 1000, 7, 142),
+        (Width::Byte, upper + 1000, 7, 142),
         (Width::Byte, upper | 0xFFF9, 2, -3), // -7 / 2, towards zero
         (Width::Byte, 7, -2, -3),
         (Width::Byte, upper | 0x8000, -1, 0x8000), // -32768 / -1 fits 32 bits
-        (Width::Word, upper | 100_000, 300, 333),
+        (Width::Word, upper + 100_000, 300, 333),
         (Width::Word, upper | 0x8000_0000, 2, -0x4000_0000),
         (Width::Word, 0x8000_0000, 1, i64::from(i32::MIN)),
         (Width::DWord, 0x7FFF_FFFF, 1, 0x7FFF_FFFF),

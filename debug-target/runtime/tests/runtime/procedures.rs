@@ -11,7 +11,10 @@ fn message(number: Option<(Source, Width)>) -> Message {
     Message { number, sub_id: None, set: true, parameters: [None; 3] }
 }
 
-fn messages(bench: &Bench) -> Vec<(u32, Option<i64>, bool, [Option<i64>; 3])> {
+/// Number, supplementary number, shown, parameters.
+type Shown = (u32, Option<i64>, bool, [Option<i64>; 3]);
+
+fn messages(bench: &Bench) -> Vec<Shown> {
     bench
         .events
         .iter()

@@ -371,7 +371,7 @@ proptest! {
     ) {
         let mut b = Builder::new();
         b.procedure("_ON_ESET", [Op::Nop]);
-        b.block_module(ModuleKind::BlockInit, |b| b.ex());
+        b.block_module(ModuleKind::BlockInit, Builder::ex);
         b.module(ModuleKind::Fast, 0, |b| b.op(Op::Complement));
         b.module(ModuleKind::Main, 0, |b| {
             b.mechanism(|b| {
@@ -412,7 +412,7 @@ fn run_wild(program: Program) {
         match n {
             0 => plc.command(Command::StartPlc { cold: true }),
             10 => {
-                plc.command(Command::StartBlock(Block { m: vec![3, 10], motion_ms: 5, ..Block::default() }))
+                plc.command(Command::StartBlock(Block { m: vec![3, 10], motion_ms: 5, ..Block::default() }));
             }
             40 => drop(plc.set_breakpoints(&everywhere)),
             70 => drop(plc.set_breakpoints(&[])),

@@ -178,7 +178,9 @@ impl World {
                     Request::Hello { version, .. } => {
                         Response::Hello { version: *version, limits: limits(), boot: 7, status: status() }
                     }
-                    Request::Download { len, .. } if *len > MOST_DOWNLOAD => Response::Failed(Failure::TooLarge),
+                    Request::Download { len, .. } if *len > MOST_DOWNLOAD => {
+                        Response::Failed(Failure::TooLarge)
+                    }
                     Request::Download { len, .. } => {
                         self.application.download = vec![0; *len as usize];
                         Response::Done

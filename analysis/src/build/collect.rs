@@ -1,0 +1,135 @@
+//! Building from the database: collects what the queries know, and turns what went wrong into diagnostics.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use technol_image::program::ContentHash;
+
+use super::input::{BuildProblem, FileInput, ProjectInput, SectionInput};
+use super::section_code::SectionCode;
+use super::{Built, build, fingerprint, listing, lower};
+use crate::database::{self, Db, Project, Section, SourceFile};
+use crate::diagnostics::{Diagnostic, Severity};
+use crate::host::{Analysis, Cancellable};
+use crate::location::Span;
+use crate::syntax::section::SectionKind;
+
+/// The code of a section. Made again only when the meaning of the section changes, not when it moves.
+#[salsa::tracked]
+pub fn section_code<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Arc<SectionCode> {
+    let body = &database::section_analysis(db, project, section).body;
+    let own_lines = section.text(db).lines().count() as u32;
+    Arc::new(lower(section.kind(db), own_lines, body))
+}
+
+/// Whether sections of this kind become code.
+const fn has_code(kind: SectionKind) -> bool {
+    matches!(kind, SectionKind::Module(_) | SectionKind::Mechanism | SectionKind::Procedure)
+}
+
+fn all_files(db: &dyn Db, project: Project) -> impl Iterator<Item = SourceFile> {
+    project.files(db).iter().chain(project.included(db)).copied()
+}
+
+/// Collects the input of a build.
+fn collect(db: &dyn Db, project: Project) -> ProjectInput {
+    let mut index = HashMap::new();
+    let mut files = Vec::new();
+    for file in all_files(db, project) {
+        index.insert(file, files.len() as u16);
+        let (path, text) = (file.path(db).clone(), Arc::clone(file.text(db)));
+        files.push(FileInput { path, order: file.order(db), text });
+    }
+    let parts = &database::parts(db, project).parts;
+    let sections = parts.iter().map(|part| {
+        let section = part.section;
+        let code = if has_code(part.kind) {
+            Arc::clone(section_code(db, project, section))
+        } else {
+            Arc::default()
+        };
+        SectionInput {
+            file: index.get(&section.file(db)).copied().unwrap_or_default(),
+            owner: part.file,
+            kind: part.kind,
+            name: Arc::clone(section.name(db)),
+            ordinal: section.ordinal(db),
+            lines: section.lines(db).as_slice().into(),
+            text: Arc::clone(section.text(db)),
+            declarations: Arc::new(database::resolved_declarations(db, project, section).clone()),
+            code,
+        }
+    });
+    let settings = project.settings(db);
+    let (name, debug_everywhere) = (settings.name.clone(), settings.debug_everywhere);
+    ProjectInput { name, debug_everywhere, sections: sections.collect(), files }
+}
+
+/// A problem at the text of its line.
+fn diagnostic(input: &ProjectInput, problem: &BuildProblem) -> (String, Diagnostic) {
+    let file = input.files.get(usize::from(problem.file));
+    let line = file.and_then(|f| f.text.lines().nth(problem.line as usize)).unwrap_or_default();
+    let code = super::source_text::without_comment(line).trim_end();
+    let start = code.len() - code.trim_start().len();
+    let rule = problem.kind.rule();
+    let diagnostic = Diagnostic {
+        code: rule.code,
+        severity: Severity::Error,
+        message: problem.kind.message(),
+        span: Span::in_line(problem.line, start as u32, code.len() as u32),
+        related: Vec::new(),
+        fix: None,
+    };
+    (file.map(|f| f.path.clone()).unwrap_or_default(), diagnostic)
+}
+
+impl Analysis {
+    /// Builds the project. A project with errors is refused with them; otherwise the refusal names what the target
+    /// cannot execute or hold. `Ok(Err(…))` is empty when no project is loaded.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn build(&self) -> Cancellable<Result<Built, Vec<(String, Diagnostic)>>> {
+        let mut errors = Vec::new();
+        for (file, diagnostics) in self.all_diagnostics()? {
+            let wrong = diagnostics.into_iter().filter(|d| d.severity == Severity::Error);
+            errors.extend(wrong.map(|d| (file.clone(), d)));
+        }
+        if !errors.is_empty() {
+            return Ok(Err(errors));
+        }
+        self.with(|db, project| {
+            let Some(project) = project else { return Err(Vec::new()) };
+            let input = collect(db, project);
+            let problems = match build(&input, database::layout(db, project)) {
+                Ok(built) => return Ok(built),
+                Err(problems) => problems,
+            };
+            Err(problems.iter().map(|problem| diagnostic(&input, problem)).collect())
+        })
+    }
+
+    /// The `.LS1` listing of a build of this snapshot.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn listing(&self, built: &Built) -> Cancellable<String> {
+        self.with(|db, project| {
+            let files: Vec<SourceFile> = project.map_or_else(Vec::new, |p| all_files(db, p).collect());
+            listing(built, files.iter().map(|file| (file.path(db).as_str(), file.text(db).as_ref())))
+        })
+    }
+
+    /// A hash over compiler version, settings and texts: equal hashes mean that a build would change nothing.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn sources_hash(&self) -> Cancellable<ContentHash> {
+        self.with(|db, project| {
+            let files: Vec<SourceFile> = project.map_or_else(Vec::new, |p| all_files(db, p).collect());
+            let settings = project.map(|p| Arc::clone(p.settings(db))).unwrap_or_default();
+            let texts = files.iter().map(|file| (file.path(db).as_str(), file.order(db), file.text(db).as_ref()));
+            fingerprint::sources_hash(&settings.name, settings.debug_everywhere, texts)
+        })
+    }
+}

@@ -1,0 +1,233 @@
+//! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
+
+use super::rules::{declarations, operands, project as project_rules, sequences, syntax as syntax_rules};
+use super::{Anchor, Diagnostic, Finding, Fix, syntax};
+use crate::database::{self, Db, Project, Section, Site, SourceFile};
+use crate::location::{Location, Span};
+use crate::project::IncludeTarget;
+use crate::semantics::analysis::Overrun;
+use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::scope::Clash;
+use crate::semantics::structure;
+use crate::syntax::ast::Columns;
+use crate::syntax::section::SectionKind;
+
+/// All mistakes of a file, sorted.
+pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
+    let mut found: Vec<(Section<'_>, Finding)> = Vec::new();
+    for section in database::sections(db, file) {
+        of_section(db, project, *section, &mut found);
+    }
+    found.extend(structure::check(db, file));
+    clashes(db, project, file, &mut found);
+    recursion(db, project, file, &mut found);
+    let mut diagnostics: Vec<Diagnostic> =
+        found.iter().filter_map(|(section, finding)| absolute(db, project, *section, finding)).collect();
+    diagnostics.sort_by(|a, b| (a.span, a.code, &a.message).cmp(&(b.span, b.code, &b.message)));
+    diagnostics.dedup();
+    diagnostics
+}
+
+fn of_section<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+    found: &mut Vec<(Section<'db>, Finding)>,
+) {
+    let analysis = database::section_analysis(db, project, section);
+    let declared = database::section_declarations(db, section);
+    let own = || declared.findings.iter().chain(&analysis.findings);
+    if section.kind(db) != SectionKind::Macro {
+        let parsed = database::section_lines(db, section);
+        let mut texts = crate::syntax::lines(section.text(db)).enumerate();
+        for error in &parsed.errors {
+            let text = texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
+            let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
+            let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
+            let unknown =
+                own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
+            if !include && !unknown {
+                found.push((section, syntax::finding(error, text)));
+            }
+        }
+    }
+    found.extend(own().map(|finding| (section, finding.clone())));
+    let overruns = analysis.overruns.iter().map(|overrun| (section, past(db, project, overrun)));
+    found.extend(overruns);
+    includes(db, project, section, found);
+}
+
+/// An access that ends outside its symbol: a warning, or an error when it leaves the data area.
+fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Finding {
+    let name = &overrun.symbol.name;
+    let outside = !database::inside_data(db, project, &overrun.symbol, overrun.offset, overrun.bytes);
+    if outside {
+        let message = format!("this access to {name}{:+} leaves the data area", overrun.offset);
+        return Finding::new(&operands::ACCESS_OUTSIDE_DATA, overrun.line, overrun.columns.clone(), message)
+            .declared_at(&overrun.symbol);
+    }
+    let bytes = |n: u32| if n == 1 { "1 byte".to_string() } else { format!("{n} bytes") };
+    let message = if overrun.offset == 0 {
+        format!("{} are accessed, but {name} has {}", bytes(overrun.bytes), bytes(overrun.declared))
+    } else {
+        format!(
+            "{} at offset {} lie outside {name}, which has {}",
+            bytes(overrun.bytes),
+            overrun.offset,
+            bytes(overrun.declared)
+        )
+    };
+    Finding::new(&operands::ACCESS_PAST_CELL, overrun.line, overrun.columns.clone(), message)
+        .declared_at(&overrun.symbol)
+}
+
+fn includes<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+    found: &mut Vec<(Section<'db>, Finding)>,
+) {
+    let declared = database::section_declarations(db, section);
+    if declared.includes.is_empty() {
+        return;
+    }
+    let path = section.file(db).path(db);
+    for include in &declared.includes {
+        let finding = |rule, message: String| Finding::new(rule, include.line, include.columns.clone(), message);
+        match project.includes(db).get(&(path.clone(), include.name.clone())) {
+            Some(IncludeTarget::Missing(why)) => {
+                found.push((section, finding(&project_rules::MISSING_INCLUDE, why.clone())));
+            }
+            Some(IncludeTarget::Cyclic(circle)) => {
+                let message = format!("the files include each other: {circle}");
+                found.push((section, finding(&project_rules::CYCLIC_INCLUDE, message)));
+            }
+            Some(IncludeTarget::File(target)) => {
+                let repeated = &database::parts(db, project).repeated;
+                if repeated.iter().any(|r| r.section == section && r.name == include.name) {
+                    let message = format!("{target} declares memory and is included already; include it once");
+                    found.push((section, finding(&project_rules::INCLUDED_TWICE, message)));
+                }
+            }
+            None => {}
+        }
+    }
+}
+
+/// Names declared more than once, at each of their places in the file.
+fn clashes<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    file: SourceFile,
+    found: &mut Vec<(Section<'db>, Finding)>,
+) {
+    let scope = database::scope(db, project);
+    if scope.clashes.is_empty() {
+        return;
+    }
+    let sites = database::sites(db, project);
+    for (key, clash) in &scope.clashes {
+        let mut places: Vec<Site<'db>> = sites.get(key).cloned().unwrap_or_default();
+        if *clash == Clash::LocalAndGlobal {
+            let global = SymbolKey { scope: SymbolScope::Global, name: key.name.clone() };
+            places.extend(sites.get(&global).into_iter().flatten());
+        }
+        for (index, site) in places.iter().enumerate().filter(|(_, site)| site.section.file(db) == file) {
+            let Some((name, line, columns)) = declared_at(db, *site) else { continue };
+            let others = places.iter().enumerate().filter(|(other, _)| *other != index);
+            let (rule, message) = match clash {
+                Clash::Twice if places.len() == 1 => (
+                    &declarations::DUPLICATE_NAME,
+                    format!("{name} is declared by its mechanism already: each has a WORD name_LINE"),
+                ),
+                Clash::Twice => (&declarations::DUPLICATE_NAME, format!("{name} is declared more than once")),
+                Clash::MechanismAndCell => (
+                    &declarations::DUPLICATE_NAME,
+                    format!("{name} is a cell and a mechanism; a mechanism declares a bit of its name"),
+                ),
+                Clash::LocalAndGlobal => (
+                    &declarations::DUPLICATE_NAME,
+                    format!("{name} is declared in DATA and in DATA_LOCAL of this file"),
+                ),
+                Clash::Values => {
+                    (&declarations::CONFLICTING_CONSTANT, format!("{name} has different values in the project"))
+                }
+            };
+            let mut finding = Finding::new(rule, line, columns, message);
+            for (_, other) in others {
+                if let Some(location) = site_location(db, *other) {
+                    finding.related.push((Anchor::Place(location), "also declared here".to_string()));
+                }
+            }
+            found.push((site.section, finding));
+        }
+    }
+}
+
+fn recursion<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    file: SourceFile,
+    found: &mut Vec<(Section<'db>, Finding)>,
+) {
+    for call in database::recursive_calls(db, project) {
+        if call.section.file(db) == file {
+            let message = format!("procedures call each other in a circle: {}", call.circle);
+            found.push((call.section, Finding::new(&sequences::RECURSION, call.line, call.columns.clone(), message)));
+        }
+    }
+}
+
+fn declared_at(db: &dyn Db, site: Site<'_>) -> Option<(String, u32, Columns)> {
+    let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
+    Some((declared.name.text.clone(), declared.line, declared.columns()))
+}
+
+/// Where a name is declared.
+pub(crate) fn site_location(db: &dyn Db, site: Site<'_>) -> Option<Location> {
+    let (_, line, columns) = declared_at(db, site)?;
+    let file = site.section.file(db).path(db).clone();
+    Some(Location { file, span: span(db, site.section, line, &columns) })
+}
+
+fn span(db: &dyn Db, section: Section<'_>, line: u32, columns: &Columns) -> Span {
+    let lines = section.lines(db);
+    let line = lines.get(line as usize).or(lines.last()).copied().unwrap_or(0);
+    Span::in_line(line, columns.start, columns.end)
+}
+
+fn absolute(db: &dyn Db, project: Project, section: Section<'_>, finding: &Finding) -> Option<Diagnostic> {
+    let severity = match project.settings(db).lints.get(finding.rule.code) {
+        Some(None) => return None,
+        Some(Some(severity)) => *severity,
+        None => finding.rule.severity,
+    };
+    let place = |line: u32, columns: &Columns| span(db, section, line, columns);
+    let mut related = Vec::new();
+    for (anchor, note) in &finding.related {
+        match anchor {
+            Anchor::Own { line, columns } => {
+                let file = section.file(db).path(db).clone();
+                related.push((Location { file, span: place(*line, columns) }, note.clone()));
+            }
+            Anchor::Symbol(key) => {
+                let sites = database::sites(db, project).get(key);
+                let location = sites.and_then(|sites| site_location(db, *sites.first()?));
+                related.extend(location.map(|location| (location, note.clone())));
+            }
+            Anchor::Place(location) => related.push((location.clone(), note.clone())),
+        }
+    }
+    let fix = finding.fix.as_ref().map(|(title, edits)| Fix {
+        title: title.clone(),
+        edits: edits.iter().map(|(line, columns, text)| (place(*line, columns), text.clone())).collect(),
+    });
+    Some(Diagnostic {
+        code: finding.rule.code,
+        severity,
+        message: finding.message.clone(),
+        span: place(finding.line, &finding.columns),
+        related,
+        fix,
+    })
+}

@@ -1,0 +1,371 @@
+//! The structure of a program file: which modules, in which order, closed by what (manual 5.1 to 5.4).
+
+use technol_image::program::ModuleKind;
+
+use super::suggest;
+use crate::catalogue::{self, EntryKind};
+use crate::database::{self, Db, Section, SourceFile};
+use crate::diagnostics::Finding;
+use crate::diagnostics::rules::structure as rules;
+use crate::syntax::ast::{Columns, ExprKind, Line};
+use crate::syntax::section::SectionKind;
+
+const MAIN_FILE: &[SectionKind] = &[
+    SectionKind::Data,
+    SectionKind::Module(ModuleKind::Input),
+    SectionKind::Module(ModuleKind::BlockInit),
+    SectionKind::Module(ModuleKind::BlockDone),
+    SectionKind::Module(ModuleKind::Main),
+    SectionKind::Module(ModuleKind::Init),
+    SectionKind::Module(ModuleKind::Clear),
+    SectionKind::Module(ModuleKind::Halt),
+];
+const FURTHER_FILE: &[SectionKind] = &[SectionKind::Data, SectionKind::Module(ModuleKind::Main)];
+
+/// The keyword that opens a section.
+#[must_use]
+pub const fn opening(kind: SectionKind) -> &'static str {
+    match kind {
+        SectionKind::File => "",
+        SectionKind::Data => "DATA",
+        SectionKind::DataLocal => "DATA_LOCAL",
+        SectionKind::Module(module) => module.keyword(),
+        SectionKind::Mechanism => "MECH_BEGIN",
+        SectionKind::Procedure => "PROC_BEGIN",
+        SectionKind::Macro => "DEF_T_MACRO",
+    }
+}
+
+/// The keyword that closes a section.
+#[must_use]
+pub fn closing(kind: SectionKind) -> String {
+    match kind {
+        SectionKind::Mechanism => "MECH_END".to_string(),
+        SectionKind::Procedure => "PROC_END".to_string(),
+        SectionKind::Macro => "END_T_MACRO".to_string(),
+        other => format!("{}_END", opening(other)),
+    }
+}
+
+/// Mistakes in the structure of a file, each in the section it belongs to.
+pub(crate) fn check<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<(Section<'db>, Finding)> {
+    let mut check = Check { db, sections: database::sections(db, file), found: Vec::new() };
+    let strays = check.stray_ends();
+    let misspelled = check.misspelled();
+    check.unclosed(&strays, &misspelled);
+    check.wrong_ends();
+    check.report_strays(&strays, &misspelled);
+    if let Some(order) = file.order(db) {
+        check.modules(order, &strays, &misspelled);
+        check.data_first();
+        check.stop(order);
+    }
+    check.found
+}
+
+struct Check<'db> {
+    db: &'db dyn Db,
+    sections: &'db [Section<'db>],
+    found: Vec<(Section<'db>, Finding)>,
+}
+
+/// A closing line without a section.
+struct Stray<'db> {
+    section: Section<'db>,
+    line: u32,
+    columns: Columns,
+    /// Closing keyword, upper case.
+    keyword: String,
+    /// Key of the name behind it.
+    name: String,
+}
+
+/// A word near a structure keyword: the keyword it was meant to be.
+struct Misspelled<'db> {
+    section: Section<'db>,
+    keyword: &'static str,
+}
+
+impl<'db> Check<'db> {
+    fn lines(&self, section: Section<'db>) -> &'db [Line] {
+        &database::section_lines(self.db, section).lines
+    }
+
+    fn opening_columns(&self, section: Section<'db>) -> Columns {
+        let line = self.lines(section).first();
+        line.map_or(0..0, |line| line.operation.as_ref().map_or(0..line.len, |name| name.columns.clone()))
+    }
+
+    fn add(&mut self, section: Section<'db>, finding: Finding) {
+        self.found.push((section, finding));
+    }
+
+    fn stray_ends(&self) -> Vec<Stray<'db>> {
+        let mut strays = Vec::new();
+        for section in self.sections {
+            let kind = section.kind(self.db);
+            if kind == SectionKind::Macro {
+                continue;
+            }
+            let lines = self.lines(*section);
+            for (number, line) in lines.iter().enumerate() {
+                let own_end = kind != SectionKind::File && section.closed(self.db) && number + 1 == lines.len();
+                let Some(operation) = line.operation.as_ref().filter(|_| !own_end) else { continue };
+                let keyword = operation.text.to_ascii_uppercase();
+                let is_end = keyword.ends_with("_END") || keyword == "END_T_MACRO";
+                let known = catalogue::entry(&keyword)
+                    .is_some_and(|e| matches!(e.kind, EntryKind::Structure | EntryKind::Directive));
+                if is_end && known {
+                    let name = first_name(line);
+                    let (line, columns) = (number as u32, operation.columns.clone());
+                    strays.push(Stray { section: *section, line, columns, keyword, name });
+                }
+            }
+        }
+        strays
+    }
+
+    /// Unknown words that were probably meant to open or close a section; they are reported as unknown.
+    fn misspelled(&self) -> Vec<Misspelled<'db>> {
+        let mut found = Vec::new();
+        for section in self.sections {
+            for line in self.lines(*section) {
+                let Some(operation) = &line.operation else { continue };
+                if catalogue::entry(&operation.text).is_some() {
+                    continue;
+                }
+                let known = catalogue::entries().map(|entry| entry.name);
+                let near = suggest::nearest(&operation.text, known).and_then(catalogue::entry);
+                if let Some(entry) = near.filter(|e| e.kind == EntryKind::Structure) {
+                    found.push(Misspelled { section: *section, keyword: entry.name });
+                }
+            }
+        }
+        found
+    }
+
+    fn unclosed(&mut self, strays: &[Stray<'db>], misspelled: &[Misspelled<'db>]) {
+        for section in self.sections {
+            let kind = section.kind(self.db);
+            let end = closing(kind);
+            if section.closed(self.db)
+                || misspelled.iter().any(|m| m.section == *section && m.keyword == end)
+            {
+                continue;
+            }
+            let name = section.name(self.db);
+            let shown = if name.is_empty() { end.clone() } else { format!("{end} {name}") };
+            let late = strays.iter().any(|s| s.keyword == end && (name.is_empty() || *s.name == **name));
+            let (rule, message) = if late {
+                let message = format!("something else begins before {shown}; close {} first", opening(kind));
+                (&rules::NESTED_BLOCK, message)
+            } else {
+                (&rules::UNCLOSED_BLOCK, format!("{} is never closed; {shown} is missing", opening(kind)))
+            };
+            let columns = self.opening_columns(*section);
+            self.add(*section, Finding::new(rule, 0, columns, message));
+        }
+    }
+
+    fn wrong_ends(&mut self) {
+        for section in self.sections {
+            let kind = section.kind(self.db);
+            let lines = self.lines(*section);
+            if kind == SectionKind::File || !section.closed(self.db) || lines.len() < 2 {
+                continue;
+            }
+            let number = lines.len() as u32 - 1;
+            let Some(operation) = lines.last().and_then(|line| line.operation.as_ref()) else { continue };
+            let wanted = closing(kind);
+            if !operation.text.eq_ignore_ascii_case(&wanted) {
+                let message = format!("{} is open here; it is closed by {wanted}", opening(kind));
+                let finding = Finding::new(&rules::UNEXPECTED_END, number, operation.columns.clone(), message)
+                    .beside(0, self.opening_columns(*section), "it begins here")
+                    .replace(format!("write {wanted}"), operation.columns.clone(), wanted.as_str());
+                self.add(*section, finding);
+                continue;
+            }
+            self.wrong_name(*section, &lines[lines.len() - 1], number);
+        }
+    }
+
+    fn wrong_name(&mut self, section: Section<'db>, line: &Line, number: u32) {
+        let kind = section.kind(self.db);
+        if !matches!(kind, SectionKind::Mechanism | SectionKind::Procedure) {
+            return;
+        }
+        let ([operand], begun) = (line.operands.as_slice(), self.lines(section).first()) else { return };
+        let ExprKind::Name(name) = &operand.kind else { return };
+        let own = begun.and_then(|line| line.operands.first());
+        let Some(ExprKind::Name(own)) = own.map(|operand| &operand.kind) else { return };
+        if name.key() != own.key() {
+            let message = format!("{} {} is open here, not {}", opening(kind), own.text, name.text);
+            let finding = Finding::new(&rules::UNEXPECTED_END, number, name.columns.clone(), message)
+                .beside(0, own.columns.clone(), "it begins here")
+                .replace(format!("write {}", own.text), name.columns.clone(), own.text.as_str());
+            self.add(section, finding);
+        }
+    }
+
+    fn report_strays(&mut self, strays: &[Stray<'db>], misspelled: &[Misspelled<'db>]) {
+        for stray in strays {
+            let explained = self.sections.iter().any(|section| {
+                let name = section.name(self.db);
+                !section.closed(self.db)
+                    && closing(section.kind(self.db)) == stray.keyword
+                    && (name.is_empty() || **name == *stray.name)
+            });
+            let opener = opener_of(&stray.keyword);
+            if explained || misspelled.iter().any(|m| m.keyword == opener) {
+                continue;
+            }
+            let message = format!("{} closes nothing; {opener} is missing before it", stray.keyword);
+            let finding = Finding::new(&rules::UNEXPECTED_END, stray.line, stray.columns.clone(), message);
+            self.add(stray.section, finding);
+        }
+    }
+
+    fn modules(&mut self, order: u8, strays: &[Stray<'db>], misspelled: &[Misspelled<'db>]) {
+        for section in self.sections {
+            let kind = section.kind(self.db);
+            let is_module = matches!(kind, SectionKind::Data | SectionKind::Module(_));
+            let keyword = opening(kind);
+            let columns = self.opening_columns(*section);
+            if is_module && section.ordinal(self.db) > 0 {
+                let message = format!("{keyword} stands in this file already; join the two");
+                self.add(*section, Finding::new(&rules::REPEATED_MODULE, 0, columns, message));
+            } else if order > 0 && is_main_only(kind) {
+                let message = format!("{keyword} stands in the main file only");
+                self.add(*section, Finding::new(&rules::FORBIDDEN_MODULE, 0, columns, message));
+            }
+        }
+        let mandatory = if order == 0 { MAIN_FILE } else { FURTHER_FILE };
+        let missing: Vec<&str> = mandatory
+            .iter()
+            .filter(|kind| !self.sections.iter().any(|section| section.kind(self.db) == **kind))
+            .filter(|kind| !misspelled.iter().any(|m| m.keyword == opening(**kind)))
+            .filter(|kind| !strays.iter().any(|stray| stray.keyword == closing(**kind)))
+            .map(|kind| opening(*kind))
+            .collect();
+        let Some(section) = self.sections.first().copied().filter(|_| !missing.is_empty()) else { return };
+        let (section, line, columns) = self.stop_lines().into_iter().next().unwrap_or_else(|| {
+            let first = self.sections.get(1).copied().unwrap_or(section);
+            (first, 0, self.opening_columns(first))
+        });
+        let file = if order == 0 { "the main file" } else { "this file" };
+        let message = format!("{file} lacks {}; a module may be empty", missing.join(", "));
+        self.add(section, Finding::new(&rules::MISSING_MODULE, line, columns, message));
+    }
+
+    fn data_first(&mut self) {
+        let top = self.sections.iter().find(|section| {
+            section.outer(self.db).is_empty()
+                && matches!(
+                    section.kind(self.db),
+                    SectionKind::Data | SectionKind::DataLocal | SectionKind::Module(_)
+                )
+        });
+        let data = self.sections.iter().find(|section| section.kind(self.db) == SectionKind::Data);
+        if let (Some(top), Some(data)) = (top, data) {
+            if top != data {
+                let message = format!("DATA must stand before {}", opening(top.kind(self.db)));
+                let finding = Finding::new(&rules::DATA_NOT_FIRST, 0, self.opening_columns(*data), message);
+                self.add(*data, finding);
+            }
+        }
+    }
+
+    fn stop_lines(&self) -> Vec<(Section<'db>, u32, Columns)> {
+        let mut found = Vec::new();
+        for section in self.sections {
+            for (number, line) in self.lines(*section).iter().enumerate() {
+                if let Some(name) = line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("STOP")) {
+                    found.push((*section, number as u32, name.columns.clone()));
+                }
+            }
+        }
+        found
+    }
+
+    fn stop(&mut self, order: u8) {
+        let stops = self.stop_lines();
+        let Some((section, line, columns)) = stops.first().cloned() else {
+            if order == 0 {
+                self.missing_stop();
+            }
+            return;
+        };
+        if section.kind(self.db) != SectionKind::File {
+            // Within a section that is never closed it stands there only because of that.
+            if section.closed(self.db) {
+                let message = format!("STOP stands inside {}; move it to the end", opening(section.kind(self.db)));
+                self.add(section, Finding::new(&rules::STOP_MISPLACED, line, columns, message));
+            }
+            return;
+        }
+        let at = file_line(self.db, section, line);
+        let follows = self.sections.iter().any(|other| {
+            let lines = self.lines(*other);
+            lines.iter().enumerate().any(|(number, line)| {
+                line.operation.is_some() && file_line(self.db, *other, number as u32) > at
+            })
+        });
+        if follows {
+            let message = "only comments may follow STOP; move it to the end of the file";
+            self.add(section, Finding::new(&rules::STOP_MISPLACED, line, columns, message));
+        }
+    }
+
+    /// Reported at the last line that says something.
+    fn missing_stop(&mut self) {
+        let last = self
+            .sections
+            .iter()
+            .flat_map(|section| {
+                let lines = self.lines(*section).iter().enumerate();
+                let spoken = lines.filter(|(_, line)| line.operation.is_some());
+                spoken.map(|(number, line)| (file_line(self.db, *section, number as u32), *section, number, line))
+            })
+            .max_by_key(|(at, ..)| *at);
+        let (section, number, columns) = match last {
+            Some((_, section, number, line)) => {
+                (section, number as u32, line.operation.as_ref().map_or(0..0, |name| name.columns.clone()))
+            }
+            None => match self.sections.first() {
+                Some(section) => (*section, 0, 0..0),
+                None => return,
+            },
+        };
+        let message = "the main file must end with STOP";
+        self.add(section, Finding::new(&rules::STOP_MISPLACED, number, columns, message));
+    }
+}
+
+fn is_main_only(kind: SectionKind) -> bool {
+    matches!(
+        kind,
+        SectionKind::Module(
+            ModuleKind::Input | ModuleKind::BlockInit | ModuleKind::BlockDone | ModuleKind::Halt | ModuleKind::Cont
+        )
+    )
+}
+
+fn opener_of(keyword: &str) -> String {
+    match keyword {
+        "MECH_END" => "MECH_BEGIN".to_string(),
+        "PROC_END" => "PROC_BEGIN".to_string(),
+        "END_T_MACRO" => "DEF_T_MACRO".to_string(),
+        other => other.strip_suffix("_END").unwrap_or(other).to_string(),
+    }
+}
+
+fn first_name(line: &Line) -> String {
+    match line.operands.first().map(|operand| &operand.kind) {
+        Some(ExprKind::Name(name)) => name.key(),
+        _ => String::new(),
+    }
+}
+
+fn file_line(db: &dyn Db, section: Section<'_>, own: u32) -> u32 {
+    section.lines(db).get(own as usize).copied().unwrap_or(0)
+}

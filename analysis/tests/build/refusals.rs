@@ -1,0 +1,62 @@
+//! Programs that are not built, and why.
+
+use std::fmt::Write as _;
+
+use crate::{project, refused, shown, source};
+
+fn refusal(data: &str, main: &str) -> String {
+    shown(&refused(&project(&[("main.plc", &source(data, main))])))
+}
+
+#[test]
+fn errors_of_the_check_come_first() {
+    let text = refusal("", "LDR NOWHERE\nWR NOWHERE\nSTRCPY X,'A'\n");
+    assert!(text.contains("main.plc:4:5 ") && text.contains("NOWHERE"), "{text}");
+    assert!(!text.contains("T0801"), "{text}");
+}
+
+#[test]
+fn an_instruction_the_target_cannot_run_is_named_at_its_place() {
+    let text = refusal("TX: STR 5\n", "NOP\n   STRCPY TX,'A' ;copy\n");
+    assert_eq!(text, "main.plc:6:4 T0801 not executable on this target yet: STRCPY");
+}
+
+#[test]
+fn clear_stays_within_one_area() {
+    let data = "A: DS 1\nB: DS 2\nDATA_LOCAL\nL: DS 1\nDATA_LOCAL_END\n";
+    let text = refusal(data, "CLEAR B,A\nCLEAR A,L\n");
+    assert!(text.contains("main.plc:9:1 T0803 CLEAR needs two variables of one data area"), "{text}");
+    assert!(text.contains("main.plc:10:1 T0803"), "{text}");
+}
+
+#[test]
+fn a_counter_must_be_able_to_reach_its_time() {
+    let main = "MECH_BEGIN M\nTIM C,300\nTIM C,255\nTIM W,C\nMECH_END M\n";
+    let text = refusal("C: DS 1\nW: DS 2\n", main);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 2, "{text}");
+    assert!(lines[0].starts_with("main.plc:7:1 ") && lines[0].contains("can never reach 300"), "{text}");
+    assert!(lines[1].starts_with("main.plc:9:1 ") && lines[1].contains("different types"), "{text}");
+}
+
+#[test]
+fn more_data_than_memory_holds() {
+    let text = refusal("A: DS 0FFFFFh\nB: DS 2\n", "");
+    assert!(text.starts_with("main.plc:3:1 T0802 the global data are longer than 1048576 bytes"), "{text}");
+}
+
+#[test]
+fn more_messages_than_a_table_holds() {
+    let mut main = String::new();
+    for _ in 0..40_000 {
+        main.push_str("ESET 1\n");
+    }
+    // Two sections with fewer than 65536 each, together more.
+    let second = format!("DATA\nDATA_END\nMODULE_MAIN\n{main}MODULE_MAIN_END\n");
+    let mut manifest = String::from("[project]\nname = \"many\"\nmain = \"main.plc\"\n");
+    let _ = writeln!(manifest, "files = [\"second.plc\"]");
+    let first = source("", &main);
+    let files = [("technol.toml", manifest.as_str()), ("main.plc", &first), ("second.plc", &second)];
+    let text = shown(&refused(&project(&files)));
+    assert!(text.starts_with("second.plc:25540:1 T0802 too many messages"), "{}", &text[..200.min(text.len())]);
+}

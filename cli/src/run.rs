@@ -1,0 +1,65 @@
+//! `technol run`: a project on the simulated machine, in virtual time.
+
+mod changes;
+mod report;
+
+use std::time::{Duration, Instant};
+
+use technol_image::{DebugInfo, Image};
+use technol_runtime::{RuntimeEvent, TickOutcome};
+use technol_target::Simulation;
+
+use crate::arguments::RunArguments;
+use crate::exit::{self, Failure, Outcome};
+use crate::files::Project;
+use changes::Changes;
+use report::Wanted;
+
+/// Length of a cycle.
+const CYCLE: Duration = Duration::from_millis(20);
+
+/// Runs the project. Exit 0; 1 when it has errors; 2 for a wrong name or value; 3 on a PLC fault.
+pub(crate) fn run(arguments: &RunArguments) -> Outcome {
+    let project = Project::open(&arguments.path)?;
+    let built = crate::build::image(&project)?;
+    let Image { program, debug } = built.image;
+    let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
+    let machine = match project.machine() {
+        Some(path) => {
+            Some(technol_target::load_machine(&path).map_err(|e| Failure::usage(e.to_string()))?)
+        }
+        None => None,
+    };
+    // Everything that was asked for is checked before anything moves.
+    let wanted = Wanted::parse(&arguments.print, &debug, &program)?;
+    let mut changes = Changes::parse(&arguments.set, &arguments.fault, &debug, &program)?;
+    let mut simulation =
+        Simulation::new(program, machine.as_ref()).map_err(|e| Failure::usage(e.to_string()))?;
+    changes.check(&simulation)?;
+
+    let mut events = Vec::new();
+    simulation.start(true);
+    // MODULE_INIT; no PLC time goes by.
+    simulation.tick(&mut events);
+    let start = Instant::now();
+    let mut done = 0;
+    while done < arguments.cycles && simulation.runtime().fault().is_none() {
+        changes.apply(done, &mut simulation)?;
+        if arguments.realtime {
+            let due = CYCLE.saturating_mul(u32::try_from(done).unwrap_or(u32::MAX));
+            std::thread::sleep(due.saturating_sub(start.elapsed()));
+        }
+        if simulation.cycle(&mut events) == TickOutcome::Stopped || !simulation.runtime().state().is_cycling() {
+            break;
+        }
+        done += 1;
+    }
+    let outcome = report::Run { cycles: done, simulation: &simulation, debug: &debug, events: &events };
+    outcome.print(&wanted, arguments.format);
+    Ok(if simulation.runtime().fault().is_some() { exit::FAULT } else { exit::OK })
+}
+
+/// Messages of the run.
+fn messages<'a>(events: &'a [RuntimeEvent], debug: &'a DebugInfo) -> impl Iterator<Item = report::Message<'a>> {
+    events.iter().filter_map(|event| report::Message::of(event, debug))
+}

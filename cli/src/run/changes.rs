@@ -1,0 +1,158 @@
+//! `--set NAME=VALUE[@CYCLE]` and `--fault NAME[@CYCLE]`: what is done to the program and its machine, and when.
+
+use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
+use technol_image::system::{IN_PORT_COUNT, IN_PORTS};
+use technol_image::{DebugInfo, Program};
+use technol_target::Simulation;
+
+use crate::exit::Failure;
+
+/// One change, before cycle `cycle`.
+struct Change {
+    cycle: u64,
+    what: What,
+}
+
+enum What {
+    Set(Assignment),
+    Fault(String),
+}
+
+/// All changes, in the order they were given.
+pub(super) struct Changes {
+    changes: Vec<Change>,
+}
+
+impl Changes {
+    /// Reads the options; every name and value is checked against the program.
+    pub(super) fn parse(
+        sets: &[String],
+        faults: &[String],
+        debug: &DebugInfo,
+        program: &Program,
+    ) -> Result<Changes, Failure> {
+        let mut changes = Vec::new();
+        for text in sets {
+            changes.push(set(text, debug, program)?);
+        }
+        for text in faults {
+            let (name, cycle) = at_cycle("--fault", text)?;
+            changes.push(Change { cycle, what: What::Fault(name.to_owned()) });
+        }
+        Ok(Changes { changes })
+    }
+
+    /// Checks the names of faults against the machine.
+    pub(super) fn check(&self, simulation: &Simulation) -> Result<(), Failure> {
+        let known: Vec<&str> = simulation.plant().faults().map(|(name, _)| name).collect();
+        for change in &self.changes {
+            if let What::Fault(name) = &change.what
+                && !known.contains(&name.as_str())
+            {
+                let list = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+                return Err(Failure::usage(format!("--fault {name}: the machine has no such fault; it has: {list}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// Does what is due before a cycle.
+    pub(super) fn apply(&mut self, cycle: u64, simulation: &mut Simulation) -> Result<(), Failure> {
+        for change in self.changes.iter().filter(|c| c.cycle == cycle) {
+            match &change.what {
+                What::Set(assignment) => assign(assignment, simulation)?,
+                What::Fault(name) => simulation
+                    .plant_mut()
+                    .set_fault(name, true)
+                    .map_err(|e| Failure::usage(format!("--fault {name}: {e}")))?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `TEXT[@CYCLE]`
+fn at_cycle<'a>(option: &str, text: &'a str) -> Result<(&'a str, u64), Failure> {
+    match text.rsplit_once('@') {
+        None => Ok((text, 0)),
+        Some((before, cycle)) => match cycle.trim().parse() {
+            Ok(cycle) => Ok((before, cycle)),
+            Err(_) => Err(Failure::usage(format!("{option} {text}: `{cycle}` is not a number of a cycle"))),
+        },
+    }
+}
+
+fn set(text: &str, debug: &DebugInfo, program: &Program) -> Result<Change, Failure> {
+    let (assignment, cycle) = at_cycle("--set", text)?;
+    let wrong = |why: String| Failure::usage(format!("--set {text}: {why}"));
+    let (name, value) =
+        assignment.split_once('=').ok_or_else(|| wrong("write NAME=VALUE or NAME=VALUE@CYCLE".to_owned()))?;
+    let target = resolve(debug, program, name.trim()).map_err(wrong)?;
+    let what = target.assign(value).map_err(|e| wrong(e.to_string()))?;
+    Ok(Change { cycle, what: What::Set(what) })
+}
+
+/// What a name stands for; a mechanism is its activation bit.
+pub(super) fn resolve(debug: &DebugInfo, program: &Program, name: &str) -> Result<Target, String> {
+    match expression::resolve(debug, None, name).map_err(|e| e.to_string())? {
+        Target::Mechanism(sequence) => match program.sequences.get(usize::from(sequence)) {
+            Some(sequence) => Ok(Target::Bit { addr: sequence.active_addr, bit: sequence.active_bit }),
+            None => Err("the program has no such mechanism".to_owned()),
+        },
+        target => Ok(target),
+    }
+}
+
+fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), Failure> {
+    let outside = |e: technol_runtime::AccessError| Failure::usage(format!("--set: {e}"));
+    match assignment {
+        Assignment::Bit { addr, bit, value } => {
+            if let Some(port) = input_port(*addr) {
+                let byte = &mut simulation.inputs_mut()[port];
+                *byte = if *value { *byte | 1 << bit } else { *byte & !(1 << bit) };
+            }
+            simulation.runtime_mut().write_bit(*addr, *bit, *value).map_err(outside)
+        }
+        Assignment::Memory { addr, bytes } => {
+            for (address, byte) in (*addr..).zip(bytes) {
+                if let Some(port) = input_port(address) {
+                    simulation.inputs_mut()[port] = *byte;
+                }
+            }
+            simulation.runtime_mut().write_memory(*addr, bytes).map_err(outside)
+        }
+        Assignment::Registers(change) => {
+            let mut registers = simulation.runtime().registers();
+            let after = change.apply(values(&registers));
+            registers.rlo = after.rlo;
+            registers.dr = after.dr;
+            registers.dr_real = after.dr_real;
+            registers.bx = after.bx;
+            simulation.runtime_mut().set_registers(registers);
+            Ok(())
+        }
+    }
+}
+
+/// An input port is copied from the machine in each cycle: to set it, the machine's side is set.
+fn input_port(addr: u32) -> Option<usize> {
+    addr.checked_sub(IN_PORTS).filter(|n| *n < IN_PORT_COUNT).map(|n| n as usize)
+}
+
+/// Registers as expressions read them.
+pub(super) fn values(registers: &technol_runtime::Registers) -> RegisterValues {
+    RegisterValues { rlo: registers.rlo, dr: registers.dr, dr_real: registers.dr_real, bx: registers.bx }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cycle_may_follow_the_change() {
+        let read = |text| at_cycle("--set", text).map_err(|e| e.message);
+        assert_eq!(read("A=1"), Ok(("A=1", 0)));
+        assert_eq!(read("A=1@250"), Ok(("A=1", 250)));
+        assert!(read("A=1@soon").unwrap_err().contains("`soon` is not a number"));
+    }
+}

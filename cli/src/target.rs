@@ -1,0 +1,80 @@
+//! `technol target`: a runtime target that a debugger connects to.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use technol_target::{Address, Clock, Notice, TargetCore, TargetOptions};
+
+use crate::arguments::{ClockName, TargetArguments};
+use crate::exit::{self, Failure, Outcome};
+
+/// Serves debuggers until the process is ended.
+pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
+    let program = match &arguments.image {
+        Some(path) => Some(read_image(path)?.program),
+        None => None,
+    };
+    let machine = match &arguments.machine {
+        Some(path) => {
+            Some(technol_target::load_machine(path).map_err(|e| Failure::usage(e.to_string()))?)
+        }
+        None => None,
+    };
+    let clock = match arguments.clock {
+        ClockName::Real => Clock::Real,
+        ClockName::Virtual => Clock::Virtual,
+    };
+    let options = TargetOptions { clock, machine, program, start: arguments.start };
+    let mut core = TargetCore::new(options).map_err(|e| Failure::usage(e.to_string()))?;
+    // Ended by the signal that ends the process; nothing has to be saved.
+    let shutdown = AtomicBool::new(false);
+    let mut tell = |notice: Notice| {
+        let mut out = std::io::stdout().lock();
+        // Whoever started the target may have closed its output.
+        let _ = writeln!(out, "{notice}").and_then(|()| out.flush());
+    };
+    let ended = match (&arguments.serial, &arguments.listen) {
+        (Some(serial), _) => {
+            let (device, baud) = serial_device(serial)?;
+            technol_target::serve_serial(&device, baud, &mut core, &shutdown, &mut tell)
+        }
+        (None, listen) => {
+            let (host, port) = crate::dap::tcp_address(listen.as_deref().unwrap_or_default())?;
+            technol_target::listen_tcp(&host, port, &mut core, &shutdown, &mut tell)
+        }
+    };
+    ended.map_err(|e| Failure::usage(e.to_string()))?;
+    Ok(exit::OK)
+}
+
+/// Reads an image file.
+pub(crate) fn read_image(path: &Path) -> Result<technol_image::Image, Failure> {
+    let bytes = std::fs::read(path)
+        .map_err(|e| Failure::usage(format!("{}: {e}; `technol build` writes images", path.display())))?;
+    technol_image::decode(&bytes).map_err(|e| Failure::usage(format!("{}: {e}", path.display())))
+}
+
+/// `DEVICE[@BAUD]`, with or without `serial:`.
+fn serial_device(text: &str) -> Result<(String, u32), Failure> {
+    let address = format!("serial:{}", text.strip_prefix("serial:").unwrap_or(text));
+    match address.parse::<Address>() {
+        Ok(Address::Serial { device, baud }) => Ok((device, baud)),
+        Ok(_) => Err(Failure::usage(format!("`{text}` is not a serial device"))),
+        Err(error) => Err(Failure::usage(error.to_string())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_serial_device_may_name_its_baud_rate() {
+        let read = |text: &str| serial_device(text).map_err(|e| e.message);
+        assert_eq!(read("/dev/ttyUSB0").unwrap(), ("/dev/ttyUSB0".to_owned(), 115_200));
+        assert_eq!(read("COM3@9600").unwrap(), ("COM3".to_owned(), 9600));
+        assert_eq!(read("serial:/dev/ttyS1@57600").unwrap(), ("/dev/ttyS1".to_owned(), 57600));
+        assert!(read("/dev/ttyS1@fast").unwrap_err().contains("serial"));
+    }
+}
