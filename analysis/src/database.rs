@@ -4,6 +4,11 @@
 //! What is computed for a section depends on its own lines and on the names it uses, never on where it stands.
 //! Absolute lines come in only at the outer edge ([`file_diagnostics`] and the `ide` features).
 
+#![allow(
+    missing_docs,
+    reason = "salsa's macros write functions without docs; what is written by hand here has them"
+)]
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -12,9 +17,10 @@ use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Exports};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
-use crate::semantics::scope::{Scope, Symbol, SymbolKind};
 use crate::semantics::layout::{DataBlock, Layout};
-use crate::semantics::program::{Parts, RecursiveCall};
+use crate::semantics::program::Parts;
+use crate::semantics::recursion::RecursiveCall;
+use crate::semantics::scope::{Scope, Symbol};
 use crate::semantics::{self, collect};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{self, ParsedLines};
@@ -136,8 +142,11 @@ pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
             }
             up = raw[parent].parent;
         }
-        let children =
-            part.children.iter().filter_map(|(child, before)| Some((made[*child]?, *before))).collect::<Vec<_>>();
+        let children = part
+            .children
+            .iter()
+            .filter_map(|(child, before)| Some((made[*child]?, *before)))
+            .collect::<Vec<_>>();
         made[index] = Some(Section::new(
             db,
             file,
@@ -174,7 +183,7 @@ pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> Exports {
 
 /// The sections that take part in the program, in order.
 #[salsa::tracked]
-pub fn parts<'db>(db: &'db dyn Db, project: Project) -> Parts<'db> {
+pub fn parts(db: &dyn Db, project: Project) -> Parts<'_> {
     semantics::program::parts(db, project)
 }
 
@@ -193,7 +202,7 @@ pub fn scope(db: &dyn Db, project: Project) -> Scope {
 
 /// Where the names of the project are declared.
 #[salsa::tracked]
-pub fn sites<'db>(db: &'db dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'db>>> {
+pub fn sites(db: &dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'_>>> {
     semantics::program::sites(db, project)
 }
 
@@ -242,8 +251,8 @@ pub fn inside_data(db: &dyn Db, project: Project, symbol: &SymbolKey, offset: i6
 
 /// Calls that close a circle of procedures.
 #[salsa::tracked]
-pub fn recursive_calls<'db>(db: &'db dyn Db, project: Project) -> Vec<RecursiveCall<'db>> {
-    semantics::program::recursive_calls(db, project)
+pub fn recursive_calls(db: &dyn Db, project: Project) -> Vec<RecursiveCall<'_>> {
+    semantics::recursion::recursive_calls(db, project)
 }
 
 /// A predefined symbol.
@@ -252,12 +261,6 @@ pub fn system_symbol(key: &str) -> Option<Symbol> {
     let system = crate::catalogue::symbol(key)?;
     let kind = semantics::program::system_kind(&system.kind);
     Some(Symbol { key: SymbolKey { scope: SymbolScope::System, name: Arc::from(system.name) }, kind })
-}
-
-/// A symbol that stands for nothing known.
-#[must_use]
-pub fn unknown_symbol(key: &str) -> Symbol {
-    Symbol { key: SymbolKey { scope: SymbolScope::Global, name: Arc::from(key) }, kind: SymbolKind::Unknown }
 }
 
 impl<'db> Section<'db> {

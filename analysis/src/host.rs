@@ -139,7 +139,7 @@ impl AnalysisHost {
         }
         self.state.files = Arc::new(files);
         self.state.problems = Arc::new(lowered(loaded));
-        self.state.manifest = loaded.manifest_file.clone();
+        self.state.manifest.clone_from(&loaded.manifest_file);
     }
 
     fn input(&mut self, old: &BTreeMap<String, SourceFile>, file: &LoadedFile) -> SourceFile {
@@ -195,7 +195,8 @@ impl Analysis {
             self.state.problems.iter().filter(|(path, _)| path == file).map(|(_, d)| d.clone()).collect();
         if let Some(source) = self.file(file) {
             let own = self.with(|db, project| {
-                project.map_or_else(Vec::new, |project| database::file_diagnostics(db, project, source).clone())
+                project
+                    .map_or_else(Vec::new, |project| database::file_diagnostics(db, project, source).clone())
             })?;
             found.extend(own);
         }

@@ -12,6 +12,7 @@ pub mod build;
 pub mod catalogue;
 pub mod database;
 pub mod diagnostics;
+mod explain;
 pub mod expression;
 mod host;
 pub mod ide;
@@ -21,12 +22,11 @@ pub mod semantics;
 pub mod syntax;
 
 pub use build::Built;
-pub use diagnostics::{Diagnostic, Fix, Severity};
-pub use host::{Analysis, AnalysisHost, Cancellable, Change};
 pub use catalogue::Language;
-pub use ide::{
-    Completion, CompletionKind, DocumentSymbol, Hover, Reference, SymbolTag, WorkspaceSymbol,
-};
+pub use diagnostics::{Diagnostic, Fix, Severity};
+pub use explain::explain;
+pub use host::{Analysis, AnalysisHost, Cancellable, Change};
+pub use ide::{Completion, CompletionKind, DocumentSymbol, Hover, Reference, SymbolTag, WorkspaceSymbol};
 pub use location::{Location, Position, Span};
 pub use salsa::Cancelled;
 pub use semantics::reference::ReferenceAccess;

@@ -52,7 +52,7 @@ impl Position {
     #[must_use]
     pub fn of_byte(text: &str, offset: usize) -> Position {
         let before = &text.as_bytes()[..offset.min(text.len())];
-        let line = before.iter().filter(|b| **b == b'\n').count();
+        let line = before.split(|b| *b == b'\n').count() - 1;
         let column = before.iter().rev().take_while(|b| **b != b'\n').count();
         Position { line: line as u32, column: column as u32 }
     }

@@ -36,7 +36,9 @@ fn read(path: &Path) -> String {
 
 /// The program a fixture stands for.
 fn complete(text: &str) -> String {
-    let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(";use ")) else { return text.to_string() };
+    let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(";use ")) else {
+        return text.to_string();
+    };
     let frame = read(&fixtures().join(format!("frame/{}.plc", name.trim())));
     let body = &text[text.find('\n').map_or(text.len(), |at| at + 1)..];
     assert!(frame.contains(";here\n"), "the frame {name} has no line ;here");
@@ -77,16 +79,13 @@ fn difference(text: &str, found: &[Diagnostic]) -> String {
                 && *code == d.code
                 && d.message.contains(part.as_str())
         });
-        match hit {
-            Some(at) => {
-                expected.remove(at);
-            }
-            None => {
-                let source = text.lines().nth(start.line as usize).unwrap_or_default();
-                let (line, from, to) = (start.line + 1, start.column, end.column);
-                writeln!(report, "  unexpected {}:{from}..{to} {} {}\n    | {source}", line, d.code, d.message)
-                    .expect("a String");
-            }
+        if let Some(at) = hit {
+            expected.remove(at);
+        } else {
+            let source = text.lines().nth(start.line as usize).unwrap_or_default();
+            let (line, from, to) = (start.line + 1, start.column, end.column);
+            writeln!(report, "  unexpected {}:{from}..{to} {} {}\n    | {source}", line, d.code, d.message)
+                .expect("a String");
         }
     }
     for (line, from, to, code, part) in expected {
@@ -108,7 +107,8 @@ fn every_fixture_gives_exactly_the_marked_diagnostics() {
         let found = found.into_iter().flat_map(|(_, d)| d).collect::<Vec<_>>();
         let difference = difference(&text, &found);
         if !difference.is_empty() {
-            writeln!(report, "{}:\n{difference}", path.file_name().unwrap_or_default().display()).expect("a String");
+            writeln!(report, "{}:\n{difference}", path.file_name().unwrap_or_default().display())
+                .expect("a String");
         }
         count += 1;
     }

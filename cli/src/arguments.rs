@@ -104,6 +104,12 @@ pub(crate) struct RunArguments {
     /// Switch a fault of the machine on before a cycle (default: before cycle 0)
     #[arg(long, value_name = "NAME[@CYCLE]")]
     pub(crate) fault: Vec<String>,
+    /// Press a key of the machine before a cycle, and keep it pressed
+    #[arg(long, value_name = "KEY[@CYCLE]")]
+    pub(crate) press: Vec<String>,
+    /// Release a key of the machine before a cycle
+    #[arg(long, value_name = "KEY[@CYCLE]")]
+    pub(crate) release: Vec<String>,
 }
 
 /// `technol target`

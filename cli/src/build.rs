@@ -10,6 +10,7 @@ use crate::check;
 use crate::exit::{self, Failure, Outcome};
 use crate::files::Project;
 use crate::paint::Paint;
+use crate::out::say;
 
 /// Builds the project. Exit 1 when it has errors.
 pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
@@ -21,7 +22,7 @@ pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
     let complete = outputs.image.exists() && (!arguments.listing || outputs.listing.exists());
     let unchanged = std::fs::read_to_string(&outputs.stamp).is_ok_and(|old| old == stamp);
     if !arguments.force && complete && unchanged && is_image(&outputs.image) {
-        println!("{name}: up to date ({})", outputs.image.display());
+        say!("{name}: up to date ({})", outputs.image.display());
         return Ok(exit::OK);
     }
     let built = image(&project)?;
@@ -93,13 +94,13 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 fn report(built: &Built, outputs: &Outputs, listing: bool) {
     let program = &built.image.program;
     let hash: String = built.hash.iter().take(4).map(|b| format!("{b:02x}")).collect();
-    println!(
+    say!(
         "{}: {} operations, {} bytes to download, hash {hash}…",
         outputs.image.display(),
         program.code.len(),
         encode_program(program).len()
     );
     if listing {
-        println!("{}", outputs.listing.display());
+        say!("{}", outputs.listing.display());
     }
 }

@@ -9,6 +9,7 @@ use technol_target::Address;
 use crate::arguments::DapArguments;
 use crate::connector::Targets;
 use crate::exit::{self, Failure, Outcome};
+use crate::out::say;
 
 /// What every session of the adapter works with.
 pub(crate) fn surroundings() -> Surroundings {
@@ -28,7 +29,7 @@ pub(crate) fn dap(arguments: &DapArguments) -> Outcome {
         Failure::usage(format!("cannot listen at tcp:{host}:{port}: {e}; choose another port, or 0 for any free one"))
     })?;
     if let Ok(address) = listener.local_addr() {
-        println!("listening at tcp:{}:{}", address.ip(), address.port());
+        say!("listening at tcp:{}:{}", address.ip(), address.port());
     }
     technol_dap::serve_tcp(&listener, &surroundings)
         .map_err(|e| Failure::usage(format!("tcp:{host}:{port} failed: {e}")))?;

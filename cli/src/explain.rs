@@ -4,6 +4,7 @@ use technol_analysis::{Language, explain as page};
 
 use crate::arguments::{self, ExplainArguments};
 use crate::exit::{self, Failure, Outcome};
+use crate::out::say;
 
 /// Prints the page. Exit 2 when there is none.
 pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -13,17 +14,15 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     };
     match page(&arguments.name, language) {
         Ok(markdown) => {
-            println!("{}", markdown.trim_end());
+            say!("{}", markdown.trim_end());
             Ok(exit::OK)
         }
-        Err(near) if near.is_empty() => Err(Failure::usage(format!(
-            "nothing is known by the name `{}`; try an instruction (LDR), a symbol (P1IN) or a code (T0101)",
-            arguments.name
-        ))),
-        Err(near) => Err(Failure::usage(format!(
-            "nothing is known by the name `{}`; did you mean {}?",
-            arguments.name,
-            near.join(", ")
-        ))),
+        Err(near) => {
+            let hint = match near {
+                Some(near) => format!("did you mean {near}?"),
+                None => "try an instruction (LDR), a symbol (P1IN) or a code (T0101)".to_owned(),
+            };
+            Err(Failure::usage(format!("nothing is known by the name `{}`; {hint}", arguments.name)))
+        }
     }
 }

@@ -9,6 +9,7 @@ mod demo;
 mod exit;
 mod explain;
 mod files;
+mod out;
 mod paint;
 mod run;
 mod target;

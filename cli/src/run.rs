@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     };
     // Everything that was asked for is checked before anything moves.
     let wanted = Wanted::parse(&arguments.print, &debug, &program)?;
-    let mut changes = Changes::parse(&arguments.set, &arguments.fault, &debug, &program)?;
+    let mut changes = Changes::parse(arguments, &debug, &program)?;
     let mut simulation =
         Simulation::new(program, machine.as_ref()).map_err(|e| Failure::usage(e.to_string()))?;
     changes.check(&simulation)?;

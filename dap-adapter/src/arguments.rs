@@ -79,7 +79,10 @@ mod tests {
     fn wrong_words_are_told_with_the_right_ones() {
         for (arguments, words) in [
             (json!({}), "missing field `program`"),
-            (json!({"program": "/p", "clock": "slow"}), "unknown variant `slow`, expected `real` or `virtual`"),
+            (
+                json!({"program": "/p", "clock": "slow"}),
+                "unknown variant `slow`, expected `real` or `virtual`",
+            ),
             (
                 json!({"program": "/p", "build": "sometimes"}),
                 "unknown variant `sometimes`, expected one of `ifStale`, `always`, `never`",

@@ -214,7 +214,11 @@ impl Client {
 
     /// Initializes, launches, sets break-points (path and lines) and lets the program go. Answers the break-points
     /// as the adapter placed them, file by file.
-    pub fn start(&mut self, launch: Value, breakpoints: &[(&str, &[u32])]) -> Result<Vec<Value>, ClientError> {
+    pub fn start(
+        &mut self,
+        launch: Value,
+        breakpoints: &[(&str, &[u32])],
+    ) -> Result<Vec<Value>, ClientError> {
         self.initialize()?;
         let mark = self.mark();
         self.request("launch", launch)?;
@@ -230,8 +234,8 @@ impl Client {
     /// Replaces the break-points of a file; answers them as the adapter placed them.
     pub fn set_breakpoints(&mut self, path: &str, lines: &[u32]) -> Result<Value, ClientError> {
         let breakpoints: Vec<Value> = lines.iter().map(|line| json!({ "line": line })).collect();
-        let body =
-            self.request("setBreakpoints", json!({ "source": { "path": path }, "breakpoints": breakpoints }))?;
+        let body = self
+            .request("setBreakpoints", json!({ "source": { "path": path }, "breakpoints": breakpoints }))?;
         Ok(body["breakpoints"].clone())
     }
 
@@ -260,7 +264,8 @@ impl Client {
         let body = self.request("scopes", json!({ "frameId": frame["id"] }))?;
         let scopes = body["scopes"].as_array().cloned().unwrap_or_default();
         let scope = scopes.iter().find(|s| s["name"] == name);
-        let scope = scope.ok_or_else(|| ClientError::Protocol(format!("there is no scope `{name}`: {body}")))?;
+        let scope =
+            scope.ok_or_else(|| ClientError::Protocol(format!("there is no scope `{name}`: {body}")))?;
         self.children(&scope["variablesReference"])
     }
 
@@ -308,9 +313,8 @@ impl Client {
     /// Every message has to have its shape, whatever the test is about.
     fn note(&mut self, message: &Value) -> Result<(), ClientError> {
         self.timeline.push(message.clone());
-        shape_fault(message, self.last_adapter_seq).map_or(Ok(()), |fault| {
-            Err(ClientError::Protocol(format!("{fault}: {message}")))
-        })?;
+        shape_fault(message, self.last_adapter_seq)
+            .map_or(Ok(()), |fault| Err(ClientError::Protocol(format!("{fault}: {message}"))))?;
         self.last_adapter_seq += 1;
         Ok(())
     }
@@ -321,36 +325,99 @@ impl Client {
     }
 }
 
-/// What is wrong with a message, by the base protocol.
+/// Fields that the bodies of responses and events cannot do without.
+const REQUIRED: &[(&str, &[&str])] = &[
+    ("breakpointLocations", &["breakpoints"]),
+    ("completions", &["targets"]),
+    ("evaluate", &["result", "variablesReference"]),
+    ("exceptionInfo", &["exceptionId", "breakMode"]),
+    ("loadedSources", &["sources"]),
+    ("scopes", &["scopes"]),
+    ("setBreakpoints", &["breakpoints"]),
+    ("setExpression", &["value"]),
+    ("setVariable", &["value"]),
+    ("source", &["content"]),
+    ("stackTrace", &["stackFrames"]),
+    ("threads", &["threads"]),
+    ("variables", &["variables"]),
+    ("breakpoint", &["reason", "breakpoint"]),
+    ("continued", &["threadId"]),
+    ("exited", &["exitCode"]),
+    ("output", &["output"]),
+    ("process", &["name"]),
+    ("progressStart", &["progressId", "title"]),
+    ("progressUpdate", &["progressId"]),
+    ("progressEnd", &["progressId"]),
+    ("stopped", &["reason"]),
+    ("thread", &["reason", "threadId"]),
+];
+
+/// What is wrong with a message, by the protocol.
 fn shape_fault(message: &Value, last_seq: i64) -> Option<&'static str> {
     if message["seq"].as_i64() != Some(last_seq + 1) {
         return Some("`seq` does not count up by one");
     }
-    if has_null(message) {
+    if any_field(message, &|_, value| value.is_null()) {
         return Some("optional fields that are not there must be absent, not null");
     }
-    match message["type"].as_str() {
+    if any_field(message, &|key, _| key.contains('_') && key != "request_seq") {
+        return Some("no field of the protocol but request_seq has an underscore");
+    }
+    let name = match message["type"].as_str() {
         Some("response") => {
-            if !message["request_seq"].is_i64() || !message["success"].is_boolean() || !message["command"].is_string() {
+            let complete = message["request_seq"].is_i64()
+                && message["success"].is_boolean()
+                && message["command"].is_string();
+            if !complete {
                 return Some("a response needs request_seq, success and command");
             }
-            let error = &message["body"]["error"];
-            if message["success"] == false && !(error["id"].is_i64() && error["format"].is_string()) {
-                return Some("an error response needs body.error with id and format");
+            if message["success"] == false {
+                let error = &message["body"]["error"];
+                let explained = error["id"].is_i64() && error["format"].is_string();
+                return (!explained).then_some("an error response needs body.error with id and format");
             }
-            None
+            &message["command"]
         }
-        Some("event") if message["event"].is_string() => None,
-        Some("event") => Some("an event needs a name"),
-        _ => Some("neither response nor event"),
+        Some("event") if message["event"].is_string() => &message["event"],
+        Some("event") => return Some("an event needs a name"),
+        _ => return Some("neither response nor event"),
+    };
+    let required = REQUIRED.iter().find(|(n, _)| name == n).map_or(&[][..], |(_, fields)| *fields);
+    let missing = required.iter().any(|field| message["body"].get(field).is_none());
+    missing.then_some("the body lacks a field that the protocol requires")
+}
+
+fn any_field(value: &Value, is_it: &impl Fn(&str, &Value) -> bool) -> bool {
+    match value {
+        Value::Array(items) => items.iter().any(|item| is_it("", item) || any_field(item, is_it)),
+        Value::Object(map) => map.iter().any(|(key, value)| is_it(key, value) || any_field(value, is_it)),
+        _ => false,
     }
 }
 
-fn has_null(value: &Value) -> bool {
-    match value {
-        Value::Null => true,
-        Value::Array(items) => items.iter().any(has_null),
-        Value::Object(map) => map.values().any(has_null),
-        _ => false,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn misshapen_messages_are_noticed() {
+        for (message, fault) in [
+            (json!({"seq": 2, "type": "event", "event": "x"}), "`seq` does not count"),
+            (json!({"seq": 1, "type": "event", "event": "x", "body": {"a": null}}), "absent, not null"),
+            (json!({"seq": 1, "type": "event", "event": "x", "body": [{"thread_id": 1}]}), "underscore"),
+            (json!({"seq": 1, "type": "event"}), "an event needs a name"),
+            (json!({"seq": 1, "type": "event", "event": "stopped", "body": {}}), "lacks a field"),
+            (json!({"seq": 1, "type": "response", "request_seq": 1, "success": true}), "a response needs"),
+            (
+                json!({"seq": 1, "type": "response", "request_seq": 1, "success": false, "command": "x"}),
+                "an error response needs",
+            ),
+            (json!({"seq": 1, "type": "request"}), "neither"),
+        ] {
+            let found = shape_fault(&message, 0);
+            assert!(found.is_some_and(|f| f.contains(fault)), "{message}: {found:?}");
+        }
+        let good = json!({"seq": 1, "type": "event", "event": "stopped", "body": {"reason": "step"}});
+        assert_eq!(shape_fault(&good, 0), None);
     }
 }

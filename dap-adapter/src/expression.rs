@@ -22,7 +22,9 @@ pub(crate) fn resolve(debug: &DebugInfo, order: Option<u8>, text: &str) -> Resul
         Ok(Target::Mechanism(sequence)) => Shown::Mechanism(sequence),
         Ok(Target::Constant(value)) => return Ok(Named::Constant(value)),
         // An area has no value, but it can be looked into.
-        Err(error @ ExpressionError::NeedsType(_)) => area(debug, order, text).ok_or_else(|| error.to_string())?,
+        Err(error @ ExpressionError::NeedsType(_)) => {
+            area(debug, order, text).ok_or_else(|| error.to_string())?
+        }
         Err(error) => return Err(error.to_string()),
     };
     Ok(Named::Thing(shown))
@@ -30,10 +32,11 @@ pub(crate) fn resolve(debug: &DebugInfo, order: Option<u8>, text: &str) -> Resul
 
 fn area(debug: &DebugInfo, order: Option<u8>, text: &str) -> Option<Shown> {
     let name = text.trim();
-    let mut areas = debug.symbols.iter().filter(|s| s.name.eq_ignore_ascii_case(name)).filter_map(|s| match s.kind {
-        SymbolKind::Area { addr, len } => Some((s.scope, Shown::Area { addr, len })),
-        _ => None,
-    });
+    let mut areas =
+        debug.symbols.iter().filter(|s| s.name.eq_ignore_ascii_case(name)).filter_map(|s| match s.kind {
+            SymbolKind::Area { addr, len } => Some((s.scope, Shown::Area { addr, len })),
+            _ => None,
+        });
     let local = areas.clone().find(|(scope, _)| order.is_some_and(|n| *scope == Scope::File(n)));
     local.or_else(|| areas.next()).map(|(_, shown)| shown)
 }

@@ -11,6 +11,7 @@ pub mod client;
 mod connection;
 mod errors;
 mod expression;
+mod file_builder;
 mod mechanisms;
 mod memory;
 #[cfg(test)]
@@ -32,5 +33,6 @@ mod values;
 
 pub use arguments::Policy;
 pub use connection::{ByteLink, Clock, Connector, TargetSpec};
+pub use file_builder::FileBuilder;
 pub use project::{BuildFailure, Builder, BuiltProject, Problem};
 pub use server::{Surroundings, serve, serve_stdio, serve_stream, serve_tcp};

@@ -17,7 +17,11 @@ pub(crate) fn line(mechanism: &Mechanism, now: &SequenceState) -> u32 {
     }
     let low = u32::from(now.line);
     let whole = (mechanism.lines.0 & !0xFFFF) | low;
-    if low != 0 && (mechanism.lines.0..=mechanism.lines.1).contains(&whole) { whole } else { mechanism.lines.0 }
+    if low != 0 && (mechanism.lines.0..=mechanism.lines.1).contains(&whole) {
+        whole
+    } else {
+        mechanism.lines.0
+    }
 }
 
 /// `EX0 LDR KSMP`: the instruction and what it depends on.
@@ -42,7 +46,11 @@ pub(crate) fn duration(millis: u64) -> String {
 /// `line 42 EX0 LDR KSMP (1.2 s)`, or `at rest`.
 pub(crate) fn summary(mechanism: &Mechanism, now: &SequenceState) -> String {
     if !now.active {
-        return if now.resume == 0 { "at rest".into() } else { format!("paused at line {}", line(mechanism, now)) };
+        return if now.resume == 0 {
+            "at rest".into()
+        } else {
+            format!("paused at line {}", line(mechanism, now))
+        };
     }
     let state = state(mechanism, now).map(|s| format!(" {}", state_text(s))).unwrap_or_default();
     format!("line {}{state} ({})", line(mechanism, now), duration(millis(mechanism, now)))

@@ -173,8 +173,10 @@ pub(crate) fn stop_in_spindle(reason: StopReason, line: u32) -> Stopped {
 /// A stop in MODULE_MAIN, or in a mechanism, below the calls of the procedure STEP at these lines.
 pub(crate) fn stop(reason: StopReason, line: u32, sequence: Option<u16>, calls: &[u32]) -> Stopped {
     let pc = sample::pc(line);
-    let mut frames: Vec<Frame> =
-        calls.iter().map(|line| Frame { pc: sample::pc(*line), procedure: Some(0), sequence, module: 3 }).collect();
+    let mut frames: Vec<Frame> = calls
+        .iter()
+        .map(|line| Frame { pc: sample::pc(*line), procedure: Some(0), sequence, module: 3 })
+        .collect();
     let base = if calls.is_empty() { pc } else { sample::pc(18) };
     frames.push(Frame { pc: base, procedure: None, sequence, module: 3 });
     Stopped {
@@ -259,7 +261,9 @@ impl State {
                 Response::Done
             }
             Request::SetBreakpoints { pcs } => {
-                let refuse = |pc: u32| if pc == sample::pc(20) { BreakpointState::TooMany } else { BreakpointState::Set };
+                let refuse = |pc: u32| {
+                    if pc == sample::pc(20) { BreakpointState::TooMany } else { BreakpointState::Set }
+                };
                 Response::Breakpoints(pcs.into_iter().map(refuse).collect())
             }
             Request::Resume(_) if !self.status.held => Response::Failed(Failure::NotStopped),
@@ -355,6 +359,7 @@ impl Builder for SampleBuilder {
             machine: Some(self.root.join("machine.toml")),
             target: self.target.clone(),
             break_everywhere: !self.only_debug_regions,
+            encoding: None,
             summary: "sample is up to date".into(),
             warnings: Vec::new(),
         })

@@ -96,7 +96,11 @@ fn bit_names(debug: &DebugInfo) -> Names {
 fn touched(op: &Op) -> Vec<Addr> {
     let place = |p: &Place, width: Width| (p.addr..p.addr.saturating_add(width.bytes())).collect::<Vec<_>>();
     match op {
-        Op::Ldr { bit, .. } | Op::Logic { bit, .. } | Op::Edge { bit, .. } | Op::Write(bit) | Op::Flag { bit, .. } => {
+        Op::Ldr { bit, .. }
+        | Op::Logic { bit, .. }
+        | Op::Edge { bit, .. }
+        | Op::Write(bit)
+        | Op::Flag { bit, .. } => {
             vec![bit.addr]
         }
         Op::MoveBit { dst, src, .. } => vec![dst.addr, src.addr],
@@ -118,13 +122,16 @@ fn note_copy(op: &Op, next: Option<&Op>, names: &Names, found: &mut Found) {
     match (op, next) {
         (Op::Ldr { bit, neg: false, .. }, Some(Op::Write(dst))) => note_bit(*bit, *dst, names, found),
         (Op::MoveBit { dst, src, neg: false, .. }, _) => note_bit(*src, *dst, names, found),
-        (Op::Load { src: Source::Mem(src), width, neg: false }, Some(Op::Store { dst, width: stored, .. }))
-            if width == stored =>
-        {
+        (
+            Op::Load { src: Source::Mem(src), width, neg: false },
+            Some(Op::Store { dst, width: stored, .. }),
+        ) if width == stored => {
             note_bytes(*src, *dst, width.bytes(), names, found);
         }
         (Op::Move { dst, src, width, .. }, _) => note_bytes(*src, *dst, width.bytes(), names, found),
-        (Op::Copy { src, dst, len }, _) => note_bytes(*src, *dst, (*len).min(system::IN_PORT_COUNT), names, found),
+        (Op::Copy { src, dst, len }, _) => {
+            note_bytes(*src, *dst, (*len).min(system::IN_PORT_COUNT), names, found)
+        }
         _ => {}
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use technol_analysis::project::Encoding;
 use technol_image::Image;
 
 use crate::arguments::Policy;
@@ -26,6 +27,8 @@ pub struct BuiltProject {
     pub target: Option<String>,
     /// Lines outside DEBUG regions take break-points as well.
     pub break_everywhere: bool,
+    /// Encoding of the sources; `None`: each file's own.
+    pub encoding: Option<Encoding>,
     /// What happened, in one line for the user.
     pub summary: String,
     /// Warnings of the build.
@@ -75,7 +78,11 @@ impl fmt::Display for BuildFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             BuildFailure::NoProject { program, reason } => {
-                write!(f, "no project at {}: {reason}; set `program` to the project folder", program.display())
+                write!(
+                    f,
+                    "no project at {}: {reason}; set `program` to the project folder",
+                    program.display()
+                )
             }
             BuildFailure::Errors(problems) => {
                 let plural = if problems.len() == 1 { "" } else { "s" };

@@ -97,7 +97,8 @@ mod tests {
 
     #[test]
     fn parts_of_dr_are_signed_with_hexadecimal() {
-        let shown: Vec<String> = ALL.iter().map(|(n, r)| format!("{n} = {}", r.show(&sample(), false))).collect();
+        let shown: Vec<String> =
+            ALL.iter().map(|(n, r)| format!("{n} = {}", r.show(&sample(), false))).collect();
         assert_eq!(
             shown,
             [
@@ -122,7 +123,10 @@ mod tests {
 
     #[test]
     fn setting_a_part_keeps_the_rest() {
-        assert_eq!(changed(&sample(), RegisterChange::Dr(Width::Byte, 0)), Registers { dr: -256, ..sample() });
+        assert_eq!(
+            changed(&sample(), RegisterChange::Dr(Width::Byte, 0)),
+            Registers { dr: -256, ..sample() }
+        );
         assert_eq!(changed(&sample(), RegisterChange::DrReal(2.0)), Registers { dr_real: 2.0, ..sample() });
     }
 }

@@ -54,7 +54,8 @@ mod tests {
 
     #[test]
     fn arguments_may_be_missing() {
-        let request = Request::from_message(&json!({"seq": 3, "type": "request", "command": "threads"})).unwrap();
+        let request =
+            Request::from_message(&json!({"seq": 3, "type": "request", "command": "threads"})).unwrap();
         assert_eq!(request, Request { seq: 3, command: "threads".into(), arguments: Value::Null });
         assert!(request.parse::<dap::requests::TerminateArguments>().is_ok());
     }

@@ -170,7 +170,13 @@ fn symbols() -> Vec<Symbol> {
         .collect()
 }
 
-fn mechanism(name: &str, sequence: u16, file: u16, lines: (u32, u32), states: &[(u32, &str, &str)]) -> Mechanism {
+fn mechanism(
+    name: &str,
+    sequence: u16,
+    file: u16,
+    lines: (u32, u32),
+    states: &[(u32, &str, &str)],
+) -> Mechanism {
     let states = states.iter().zip(1..).map(|((line, mnemonic, condition), point)| State {
         point,
         line: *line,
@@ -180,10 +186,30 @@ fn mechanism(name: &str, sequence: u16, file: u16, lines: (u32, u32), states: &[
     Mechanism { name: name.into(), sequence, file, module: ModuleKind::Main, lines, states: states.collect() }
 }
 
-/// The texts of the two files, as long as their highest line.
+/// The texts of the two files: the lines that open and close sections, comments for the rest.
 pub(crate) fn texts() -> [(&'static str, String); 2] {
-    let text = |lines: usize| (1..=lines).map(|n| format!("; line {n}\n")).collect::<Vec<_>>().concat();
-    [("main.plc", text(42)), ("turret.plc", text(7))]
+    let text = |lines: u32, boundaries: &[(u32, &str)]| {
+        let line = |n: u32| match boundaries.iter().find(|(at, _)| *at == n) {
+            Some((_, boundary)) => format!("{boundary}\n"),
+            None => format!("; line {n}\n"),
+        };
+        (1..=lines).map(line).collect::<Vec<_>>().concat()
+    };
+    let main = [
+        (10, "MODULE_MAIN"),
+        (18, "MECH_BEGIN SPINDLE"),
+        (25, "MECH_END SPINDLE"),
+        (26, "MODULE_MAIN_END"),
+        (28, "MODULE_FAST"),
+        (30, "MODULE_FAST_END"),
+        (33, "PROC_BEGIN STEP"),
+        (36, "PROC_END STEP"),
+        (40, "MODULE_CONT"),
+        (42, "MODULE_CONT_END"),
+    ];
+    let turret =
+        [(3, "MODULE_MAIN"), (4, "MECH_BEGIN TURRET"), (6, "MECH_END TURRET"), (7, "MODULE_MAIN_END")];
+    [("main.plc", text(42, &main)), ("turret.plc", text(7, &turret))]
 }
 
 /// Program and debug information.

@@ -35,7 +35,8 @@ pub fn serve(
     let (received, inbox) = channel();
     let (sink, outgoing) = sync_channel(QUEUE);
     std::thread::Builder::new().name("dap read".into()).spawn(move || read(input, &received))?;
-    let writer = std::thread::Builder::new().name("dap write".into()).spawn(move || write(output, &outgoing))?;
+    let writer =
+        std::thread::Builder::new().name("dap write".into()).spawn(move || write(output, &outgoing))?;
     let Surroundings { connector, builder } = surroundings.clone();
     Session::new(inbox, Outbox::new(sink), connector, builder).run();
     // The session has dropped the sink: the writer ends when all is written.
@@ -52,7 +53,9 @@ pub fn serve_tcp(listener: &TcpListener, surroundings: &Surroundings) -> io::Res
     loop {
         let (stream, _) = listener.accept()?;
         let surroundings = surroundings.clone();
-        std::thread::Builder::new().name("dap session".into()).spawn(move || serve_stream(&stream, &surroundings))?;
+        std::thread::Builder::new()
+            .name("dap session".into())
+            .spawn(move || serve_stream(&stream, &surroundings))?;
     }
 }
 

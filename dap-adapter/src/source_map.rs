@@ -3,7 +3,11 @@
 use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 
+use technol_analysis::project::{Encoding, decode};
+use technol_analysis::syntax::section::SectionKind;
+use technol_analysis::syntax::split;
 use technol_image::Op;
+use technol_image::container::hash_bytes;
 use technol_image::debug_info::DebugInfo;
 use technol_image::op::Pc;
 use technol_image::program::{ModuleKind, Program};
@@ -53,10 +57,50 @@ pub(crate) struct SourceMap {
     paths: Vec<PathBuf>,
     /// Lines with statements of each file, ascending by line, then code.
     entries: Vec<Vec<Entry>>,
+    /// Sections of each file; `None` when its text is not the one that was built.
+    sections: Vec<Option<Sections>>,
+}
+
+/// Which line of a file belongs to which section.
+struct Sections {
+    /// By 0-based line.
+    of_line: Vec<usize>,
+    /// The section around each, and whether it holds code.
+    all: Vec<(Option<usize>, bool)>,
+}
+
+impl Sections {
+    fn new(text: &str) -> Self {
+        let raw = split(text);
+        let mut of_line = vec![0; raw.iter().flat_map(|s| &s.lines).max().map_or(0, |n| *n as usize + 1)];
+        for (index, section) in raw.iter().enumerate() {
+            for line in &section.lines {
+                of_line[*line as usize] = index;
+            }
+        }
+        let holds_code =
+            |kind| matches!(kind, SectionKind::Module(_) | SectionKind::Mechanism | SectionKind::Procedure);
+        Sections { of_line, all: raw.iter().map(|s| (s.parent, holds_code(s.kind))).collect() }
+    }
+
+    fn of(&self, line: u32) -> Option<usize> {
+        self.of_line.get((line as usize).checked_sub(1)?).copied()
+    }
+
+    /// Both lines lie in the same section with code; the second may lie in one nested in it.
+    fn encloses(&self, line: u32, next: u32) -> bool {
+        let Some(section) = self.of(line).filter(|n| self.all.get(*n).is_some_and(|s| s.1)) else {
+            return false;
+        };
+        let outwards = std::iter::successors(self.of(next), |n| self.all.get(*n)?.0);
+        outwards.take(self.all.len()).any(|n| n == section)
+    }
 }
 
 impl SourceMap {
-    pub(crate) fn new(root: &Path, program: &Program, debug: &DebugInfo) -> Self {
+    /// Reads the texts of the files to know their sections; one that cannot be read, or has changed since the
+    /// build, is done without.
+    pub(crate) fn new(root: &Path, program: &Program, debug: &DebugInfo, encoding: Option<Encoding>) -> Self {
         let statements: HashSet<Pc> = program.statements.iter().copied().collect();
         let mut entries = vec![Vec::new(); debug.files.len()];
         for line in debug.lines.iter().filter(|l| statements.contains(&l.pc)) {
@@ -67,8 +111,12 @@ impl SourceMap {
         for file in &mut entries {
             file.sort_by_key(|e| (e.line, e.pc));
         }
-        let paths = debug.files.iter().map(|f| plain(&root.join(&f.path))).collect();
-        SourceMap { paths, entries }
+        let paths: Vec<PathBuf> = debug.files.iter().map(|f| plain(&root.join(&f.path))).collect();
+        let sections = paths.iter().zip(&debug.files).map(|(path, file)| {
+            let text = decode(&std::fs::read(path).ok()?, encoding).text;
+            (hash_bytes(text.as_bytes()) == file.hash).then(|| Sections::new(&text))
+        });
+        SourceMap { entries, sections: sections.collect(), paths }
     }
 
     /// Absolute path of a file.
@@ -112,7 +160,11 @@ impl SourceMap {
         let at = entries.partition_point(|e| e.line < line);
         let first = entries.get(at).ok_or(NoPlace::NoCode)?;
         let before = at.checked_sub(1).and_then(|n| entries.get(n)).map(|e| e.pc);
-        if first.line != line && leaves_section(program, debug, (file, line), before, first.pc) {
+        let leaves = || match self.sections.get(usize::from(file)) {
+            Some(Some(sections)) => !sections.encloses(line, first.line),
+            _ => leaves_section(program, debug, (file, line), before, first.pc),
+        };
+        if first.line != line && leaves() {
             return Err(NoPlace::NoCode);
         }
         let here = entries[at..].iter().take_while(|e| e.line == first.line);
@@ -130,7 +182,7 @@ impl SourceMap {
     }
 }
 
-/// The line lies inside a section, and the next code is not in it any more.
+/// The line lies inside a section, and the next code is not in it any more; as far as code alone tells.
 fn leaves_section(
     program: &Program,
     debug: &DebugInfo,
@@ -226,11 +278,29 @@ mod tests {
         // The closing line of SPINDLE takes no break-point here, so nothing is left after its last EX.
         program.statements.retain(|pc| *pc != sample::pc(25));
         debug.mechanisms[0].lines = (18, 25);
-        let map = SourceMap::new(Path::new("/p"), &program, &debug);
+        let map = SourceMap::new(Path::new("/p"), &program, &debug, None);
         let place = |line| map.place(&program, &debug, 0, line, true).map(|p| p.line);
         assert_eq!(place(22), Ok(23));
         assert_eq!(place(25), Err(NoPlace::NoCode));
         assert_eq!(place(26), Ok(26));
+    }
+
+    #[test]
+    fn sections_enclose_what_is_nested_in_them() {
+        let text = &sample::texts()[0].1;
+        let sections = Sections::new(text);
+        for (line, next, inside) in [
+            (22, 23, true),
+            (10, 11, true),
+            (16, 19, true),   // from the module into the mechanism in it
+            (22, 26, false),  // out of the mechanism
+            (9, 11, false),   // before the module
+            (27, 29, false),  // between modules
+            (900, 11, false), // nowhere
+            (0, 11, false),
+        ] {
+            assert_eq!(sections.encloses(line, next), inside, "{line} {next}");
+        }
     }
 
     #[test]
@@ -242,7 +312,7 @@ mod tests {
                 line.line = 11;
             }
         }
-        let map = SourceMap::new(Path::new("/p"), &image.program, &debug);
+        let map = SourceMap::new(Path::new("/p"), &image.program, &debug, None);
         let pcs = map.place(&image.program, &debug, 0, 11, true).unwrap().pcs;
         assert_eq!(pcs, [sample::pc(11), sample::pc(13)]);
         assert_eq!(map.lines(0, 0, 13), [11, 12]);
@@ -250,7 +320,9 @@ mod tests {
 
     #[test]
     fn paths_are_compared_on_paper() {
-        for (path, clean) in [("/a/./b/../c", "/a/c"), ("/../a", "/../a"), ("a/..", ""), ("../../x", "../../x")] {
+        for (path, clean) in
+            [("/a/./b/../c", "/a/c"), ("/../a", "/../a"), ("a/..", ""), ("../../x", "../../x")]
+        {
             assert_eq!(plain(Path::new(path)), Path::new(clean));
         }
     }

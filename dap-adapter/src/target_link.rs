@@ -72,6 +72,13 @@ impl TargetLink {
         self.events.pop_front()
     }
 
+    /// What was said about a program that has ended does not concern the next one.
+    pub(crate) fn forget_stops(&mut self) {
+        self.events.retain(|event| {
+            !matches!(event, TargetEvent::Event(Event::Stopped(_) | Event::Resumed | Event::Fault(_)))
+        });
+    }
+
     /// Asks and waits for the answer. `Failed` answers are errors.
     pub(crate) fn ask(&mut self, request: Request) -> Result<Response, RequestError> {
         let ticket = self.host.request(request);

@@ -34,10 +34,22 @@ pub(crate) enum Node {
 /// Where a row's value comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shown {
-    Bit { addr: Addr, bit: u8 },
-    Cell { addr: Addr, width: Width },
-    Text { addr: Addr, len: u32 },
-    Area { addr: Addr, len: u32 },
+    Bit {
+        addr: Addr,
+        bit: u8,
+    },
+    Cell {
+        addr: Addr,
+        width: Width,
+    },
+    Text {
+        addr: Addr,
+        len: u32,
+    },
+    Area {
+        addr: Addr,
+        len: u32,
+    },
     Register(Register),
     /// A value of the equation stack, 0 = top.
     Pushed(usize),
@@ -104,7 +116,8 @@ pub(crate) struct Tree {
 impl Tree {
     pub(crate) fn new(debug: &DebugInfo, ports: &Ports) -> Self {
         let mut rows = HashMap::new();
-        let by_scope = |scope: Scope| debug.symbols.iter().filter(move |s| s.scope == scope).collect::<Vec<_>>();
+        let by_scope =
+            |scope: Scope| debug.symbols.iter().filter(move |s| s.scope == scope).collect::<Vec<_>>();
         add_symbols(&mut rows, Node::Globals, &by_scope(Scope::Global));
         for order in debug.files.iter().filter_map(|f| f.order) {
             add_symbols(&mut rows, Node::Locals(order), &by_scope(Scope::File(order)));
@@ -298,7 +311,10 @@ mod tests {
     }
 
     fn names(tree: &Tree, node: Node) -> Vec<String> {
-        tree.children(node, 0, usize::MAX).into_iter().map(|r| format!("{}: {}", r.name, r.type_name())).collect()
+        tree.children(node, 0, usize::MAX)
+            .into_iter()
+            .map(|r| format!("{}: {}", r.name, r.type_name()))
+            .collect()
     }
 
     #[test]
@@ -306,7 +322,16 @@ mod tests {
         let tree = tree();
         assert_eq!(
             names(&tree, Node::Globals),
-            ["INPUTS: BYTE", "OUTPUTS: BYTE", "COUNT: WORD", "SPEED: DWRD", "TITLE: STR 8", "TABLE: DS 20", "RATIO: REAL", "LONELY: bit"]
+            [
+                "INPUTS: BYTE",
+                "OUTPUTS: BYTE",
+                "COUNT: WORD",
+                "SPEED: DWRD",
+                "TITLE: STR 8",
+                "TABLE: DS 20",
+                "RATIO: REAL",
+                "LONELY: bit"
+            ]
         );
         assert_eq!(names(&tree, Node::Bits(sample::INPUTS)), ["KSMP: bit", "KSMM: bit"]);
         assert_eq!(names(&tree, Node::Locals(1)), ["STEP_NO: BYTE"]);
@@ -324,7 +349,10 @@ mod tests {
         assert_eq!(tree.len(area), 20);
         let names: Vec<String> = tree.children(area, 18, 30).into_iter().map(|r| r.name).collect();
         assert_eq!(names, ["[18]", "[19]"]);
-        assert_eq!(tree.child(area, "[19]").map(|r| r.shown), Some(Shown::Cell { addr: sample::TABLE + 19, width: Width::Byte }));
+        assert_eq!(
+            tree.child(area, "[19]").map(|r| r.shown),
+            Some(Shown::Cell { addr: sample::TABLE + 19, width: Width::Byte })
+        );
         assert_eq!(tree.child(area, "[20]"), None);
         assert!(tree.children(area, 40, 20).is_empty());
     }

@@ -21,7 +21,11 @@ pub(crate) fn bit(value: bool) -> String {
 /// The hexadecimal form of the language: all digits of the width, a leading 0 before a letter.
 pub(crate) fn hex(raw: u64, width: Width) -> String {
     let digits = format!("{:0n$X}", raw & mask(width), n = width.bytes() as usize * 2);
-    if digits.starts_with(|c: char| c.is_ascii_alphabetic()) { format!("0{digits}h") } else { format!("{digits}h") }
+    if digits.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        format!("0{digits}h")
+    } else {
+        format!("{digits}h")
+    }
 }
 
 /// A cell: `300 (012Ch)`; with what a signed reading gives where that differs: `255 (0FFh, -1)`.
@@ -54,7 +58,8 @@ pub(crate) fn real(value: f64) -> String {
 /// A zero-terminated text.
 pub(crate) fn text(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
-    let shown: String = bytes[..end].iter().map(|b| if b.is_ascii_control() { '·' } else { char::from(*b) }).collect();
+    let shown: String =
+        bytes[..end].iter().map(|b| if b.is_ascii_control() { '·' } else { char::from(*b) }).collect();
     format!("'{}'", shown.replace('\'', "''"))
 }
 

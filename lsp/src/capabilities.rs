@@ -1,10 +1,10 @@
 //! What the server tells the client about itself.
 
 use tower_lsp::ls_types::{
-    CodeActionKind, CodeActionOptions, CodeActionProviderCapability, CompletionOptions, HoverProviderCapability,
-    InitializeResult, OneOf, SaveOptions, ServerCapabilities, ServerInfo, TextDocumentSyncCapability,
-    TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkspaceFoldersServerCapabilities,
-    WorkspaceServerCapabilities,
+    CodeActionKind, CodeActionOptions, CodeActionProviderCapability, CompletionOptions,
+    HoverProviderCapability, InitializeResult, OneOf, SaveOptions, ServerCapabilities, ServerInfo,
+    TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions,
+    WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
 };
 
 use crate::client::Client;
@@ -77,8 +77,13 @@ mod tests {
         let all = json!({"textDocument": {"codeAction": {"codeActionLiteralSupport": {"codeActionKind": {"valueSet": []}}}}});
         let client = Client::new(&serde_json::from_value(all).unwrap());
         let offered = serde_json::to_value(capabilities(client)).unwrap();
-        let offered: BTreeSet<String> =
-            offered.as_object().unwrap().keys().filter(|it| it.ends_with("Provider")).map(|it| method(it)).collect();
+        let offered: BTreeSet<String> = offered
+            .as_object()
+            .unwrap()
+            .keys()
+            .filter(|it| it.ends_with("Provider"))
+            .map(|it| method(it))
+            .collect();
         let own = |it: &&crate::features::Route| !it.method.starts_with("test/");
         let answered: BTreeSet<String> = ROUTES.iter().filter(own).map(|it| it.method.to_owned()).collect();
         assert_eq!(offered, answered);

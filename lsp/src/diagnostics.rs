@@ -95,7 +95,11 @@ struct Told {
 
 impl Published {
     /// Takes over the diagnostics of a project; returns what to tell the client.
-    pub(crate) fn update(&mut self, home: &Home, files: Vec<DiagnosedFile>) -> Vec<lsp::PublishDiagnosticsParams> {
+    pub(crate) fn update(
+        &mut self,
+        home: &Home,
+        files: Vec<DiagnosedFile>,
+    ) -> Vec<lsp::PublishDiagnosticsParams> {
         let mut messages = Vec::new();
         let mut named = BTreeSet::new();
         for file in files {
@@ -123,13 +127,20 @@ impl Published {
         self.withdraw(home, |_| true)
     }
 
-    fn withdraw(&mut self, home: &Home, which: impl Fn(&FileKey) -> bool) -> Vec<lsp::PublishDiagnosticsParams> {
+    fn withdraw(
+        &mut self,
+        home: &Home,
+        which: impl Fn(&FileKey) -> bool,
+    ) -> Vec<lsp::PublishDiagnosticsParams> {
         let mut messages = Vec::new();
         self.files.retain(|key, told| {
             if which(key)
                 && let Some(found) = told.found.remove(home)
                 && !found.is_empty()
             {
+                if told.found.is_empty() {
+                    told.version = None; // nobody looks at it any more, in whatever version
+                }
                 messages.push(told.message());
             }
             !told.found.is_empty()
@@ -180,7 +191,9 @@ mod tests {
         let a = home("/a");
         let first = published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])]);
         assert_eq!(told(&first), ["/x None bad", "/y None worse"]);
-        assert!(published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])]).is_empty());
+        assert!(
+            published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])]).is_empty()
+        );
         assert_eq!(told(&published.update(&a, vec![file("x", None, &["bad"])])), ["/y None "]);
         assert_eq!(told(&published.drop_project(&a)), ["/x None "]);
         assert!(published.drop_project(&a).is_empty());

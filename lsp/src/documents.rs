@@ -55,7 +55,8 @@ impl Document {
     /// Whether a line from character `start` to `end` includes a file, or looks like it.
     fn includes_at(&self, start: usize, end: usize) -> bool {
         let lines = self.text.char_to_line(start)..=self.text.char_to_line(end);
-        let text = self.text.slice(self.text.line_to_char(*lines.start())..self.text.line_to_char(*lines.end() + 1));
+        let text =
+            self.text.slice(self.text.line_to_char(*lines.start())..self.text.line_to_char(*lines.end() + 1));
         text.to_string().to_ascii_uppercase().contains(INCLUDE)
     }
 }
@@ -80,7 +81,11 @@ mod tests {
     #[test]
     fn several_changes_of_one_message_apply_one_after_the_other() {
         let mut it = document("LDR A\r\nWR B\r\n");
-        it.change(5, &[edit((0, 4), (0, 5), "𝄞"), edit((0, 6), (0, 6), ";"), edit((1, 0), (2, 0), "")], Encoding::Utf16);
+        it.change(
+            5,
+            &[edit((0, 4), (0, 5), "𝄞"), edit((0, 6), (0, 6), ";"), edit((1, 0), (2, 0), "")],
+            Encoding::Utf16,
+        );
         assert_eq!((it.text.to_string().as_str(), it.version), ("LDR 𝄞;\r\n", 5));
     }
 

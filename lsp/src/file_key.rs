@@ -12,7 +12,10 @@ impl FileKey {
     /// The key of an address.
     pub(crate) fn of_uri(uri: &Uri) -> FileKey {
         let path = uri.scheme().as_str().eq_ignore_ascii_case("file").then(|| uri.to_file_path()).flatten();
-        path.map_or_else(|| FileKey(uri.as_str().to_owned()), |path| FileKey::of_path(&path.to_string_lossy()))
+        path.map_or_else(
+            || FileKey(uri.as_str().to_owned()),
+            |path| FileKey::of_path(&path.to_string_lossy()),
+        )
     }
 
     /// The key of an absolute path, `.` and `..` resolved by their letters.
@@ -62,6 +65,12 @@ impl FileKey {
         self.0.rsplit('/').next().unwrap_or_default()
     }
 
+    /// Whether the name ends like this, in any case.
+    pub(crate) fn has_ending(&self, ending: &str) -> bool {
+        let (name, ending) = (self.0.as_bytes(), ending.as_bytes());
+        name.len() > ending.len() && name[name.len() - ending.len()..].eq_ignore_ascii_case(ending)
+    }
+
     /// The folder it is in; `None` above a root and for what is no file.
     pub(crate) fn parent(&self) -> Option<FileKey> {
         let (parent, name) = self.0.rsplit_once('/')?;
@@ -102,7 +111,12 @@ mod tests {
 
     #[test]
     fn one_file_has_one_key_however_it_is_spelled() {
-        for spelling in ["file:///a/b%20c/d.plc", "file:///a/./b%20c/d.plc", "file:///a/x/../b%20c/d.plc", "FILE:///a/b%20c/d.plc"] {
+        for spelling in [
+            "file:///a/b%20c/d.plc",
+            "file:///a/./b%20c/d.plc",
+            "file:///a/x/../b%20c/d.plc",
+            "FILE:///a/b%20c/d.plc",
+        ] {
             assert_eq!(key(spelling).as_str(), "/a/b c/d.plc", "{spelling}");
         }
         assert_eq!(FileKey::of_path("c:\\plc\\main.plc").as_str(), "C:/plc/main.plc");
@@ -121,6 +135,13 @@ mod tests {
         assert_eq!(FileKey::in_project(&root, "inc/const.inc").as_str(), "/plc/inc/const.inc");
         assert_eq!(FileKey::in_project(&root, "/other/a.inc").as_str(), "/other/a.inc");
         assert_eq!(FileKey::of_path("/plc/v ř.plc").uri().unwrap().as_str(), "file:///plc/v%20%C5%99.plc");
+    }
+
+    #[test]
+    fn endings_count_in_any_case() {
+        let file = FileKey::of_path("/plc/MAIN.Plc");
+        assert!(file.has_ending(".plc") && !file.has_ending(".inc"));
+        assert!(!FileKey::of_path("/x").has_ending("long/x"));
     }
 
     #[test]

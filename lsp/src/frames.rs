@@ -119,13 +119,16 @@ fn find(haystack: &[u8], needle: &[u8]) -> Option<usize> {
 
 /// Ok when the transport can read the body; otherwise what to pass on in its place.
 fn check_body(body: &[u8]) -> Result<(), Value> {
-    let text = std::str::from_utf8(body)
-        .map_err(|error| unreadable(PARSE_ERROR, &format!("the message is not UTF-8: {error}"), &Value::Null))?;
+    let text = std::str::from_utf8(body).map_err(|error| {
+        unreadable(PARSE_ERROR, &format!("the message is not UTF-8: {error}"), &Value::Null)
+    })?;
     if text.parse::<Response>().is_ok() || text.parse::<Request>().is_ok_and(|it| !it.method().is_empty()) {
         return Ok(());
     }
     match serde_json::from_str::<Value>(text) {
-        Err(error) => Err(unreadable(PARSE_ERROR, &format!("the message is not JSON: {error}"), &Value::Null)),
+        Err(error) => {
+            Err(unreadable(PARSE_ERROR, &format!("the message is not JSON: {error}"), &Value::Null))
+        }
         Ok(value) => {
             let answer = value.get("result").is_some() || value.get("error").is_some();
             let id = value.get("id").filter(|id| !answer && (id.is_i64() || id.is_string()));
@@ -185,7 +188,8 @@ mod tests {
     #[test]
     fn unsound_bodies_are_replaced_and_the_next_message_still_passes() {
         let good = frame(r#"{"jsonrpc":"2.0","method":"next"}"#);
-        let deep = format!(r#"{{"jsonrpc":"2.0","method":"m","params":{}1{}}}"#, "[".repeat(500), "]".repeat(500));
+        let deep =
+            format!(r#"{{"jsonrpc":"2.0","method":"m","params":{}1{}}}"#, "[".repeat(500), "]".repeat(500));
         for (body, code) in [
             ("{", PARSE_ERROR),
             ("", PARSE_ERROR),
@@ -210,18 +214,27 @@ mod tests {
     #[test]
     fn bytes_that_are_not_utf8_and_headers_without_a_length_are_survived() {
         let good = frame(r#"{"jsonrpc":"2.0","method":"next"}"#);
-        for bad in [&b"Content-Length: 2\r\n\r\n\xff\xfe"[..], b"Hello: there\r\n\r\n", b"Content-Length: x\r\n\r\n"] {
+        for bad in
+            [&b"Content-Length: 2\r\n\r\n\xff\xfe"[..], b"Hello: there\r\n\r\n", b"Content-Length: x\r\n\r\n"]
+        {
             assert_eq!(methods(&guarded(&[bad, good.as_bytes()])), [UNREADABLE, "next", INPUT_CLOSED]);
         }
         let noise = vec![b'x'; LONGEST_HEADER + 1];
         let passed = guarded(&[&noise, good.as_bytes()]);
-        assert_eq!(methods(&passed), ["next", INPUT_CLOSED], "bytes right before a header don't lose its frame");
+        assert_eq!(
+            methods(&passed),
+            ["next", INPUT_CLOSED],
+            "bytes right before a header don't lose its frame"
+        );
     }
 
     #[test]
     fn lower_case_and_further_header_lines_are_accepted() {
         let body = r#"{"jsonrpc":"2.0","method":"next"}"#;
-        let head = format!("content-type: application/vscode-jsonrpc\r\ncontent-length:{}\r\nX: y\r\n\r\n", body.len());
+        let head = format!(
+            "content-type: application/vscode-jsonrpc\r\ncontent-length:{}\r\nX: y\r\n\r\n",
+            body.len()
+        );
         assert_eq!(methods(&guarded(&[head.as_bytes(), body.as_bytes()])), ["next", INPUT_CLOSED]);
     }
 }

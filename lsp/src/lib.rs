@@ -102,7 +102,8 @@ where
         // A session nobody waits for any more ends all the same.
         let _ = over.send(main_loop.run());
     })?;
-    let mut transport = std::pin::pin!(transport::serve::<_, _, Event>(input, output, events, outgoing_queue));
+    let mut transport =
+        std::pin::pin!(transport::serve::<_, _, Event>(input, output, events, outgoing_queue));
     tokio::select! {
         outcome = &mut is_over => {
             let _ = tokio::time::timeout(LAST_WORDS, transport).await;

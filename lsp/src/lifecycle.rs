@@ -7,8 +7,8 @@ use tower_lsp::ls_types::request::{RegisterCapability, Request, WorkspaceConfigu
 use tower_lsp::ls_types::{
     ConfigurationItem, ConfigurationParams, DidChangeConfigurationParams, DidChangeTextDocumentParams,
     DidChangeWatchedFilesParams, DidChangeWatchedFilesRegistrationOptions, DidChangeWorkspaceFoldersParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, FileSystemWatcher, GlobPattern,
-    InitializeParams, MessageType, Registration, RegistrationParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, FileSystemWatcher,
+    GlobPattern, InitializeParams, MessageType, Registration, RegistrationParams,
 };
 
 use crate::Outcome;
@@ -55,7 +55,11 @@ impl MainLoop {
     pub(crate) fn notification(&mut self, method: &str, params: Value) -> Option<Outcome> {
         match (method, self.phase) {
             ("exit", phase) => {
-                return Some(if phase == Phase::ShutDown { Outcome::Exit } else { Outcome::ExitWithoutShutdown });
+                return Some(if phase == Phase::ShutDown {
+                    Outcome::Exit
+                } else {
+                    Outcome::ExitWithoutShutdown
+                });
             }
             (frames::INPUT_CLOSED, phase) => {
                 return Some(if phase == Phase::ShutDown { Outcome::Exit } else { Outcome::InputClosed });
@@ -80,14 +84,16 @@ impl MainLoop {
             "initialized" => self.initialized(client),
             "textDocument/didOpen" => {
                 let document = read::<DidOpenTextDocumentParams>(method, params)?.text_document;
-                let effects = self.workspace.open(Document::new(document.uri, document.version, &document.text));
+                let effects =
+                    self.workspace.open(Document::new(document.uri, document.version, &document.text));
                 self.follow(effects);
             }
             "textDocument/didChange" => {
                 let params: DidChangeTextDocumentParams = read(method, params)?;
                 let document = params.text_document;
                 let changes = &params.content_changes;
-                let effects = self.workspace.change(&document.uri, document.version, changes, client.encoding)?;
+                let effects =
+                    self.workspace.change(&document.uri, document.version, changes, client.encoding)?;
                 self.follow(effects);
             }
             "textDocument/didClose" => {
@@ -159,7 +165,8 @@ impl MainLoop {
             registrations.push(registration("workspace/didChangeWatchedFiles", json!(options)));
         }
         if client.tells_configuration {
-            registrations.push(registration("workspace/didChangeConfiguration", json!({ "section": "technol" })));
+            registrations
+                .push(registration("workspace/didChangeConfiguration", json!({ "section": "technol" })));
         }
         if !registrations.is_empty() {
             self.outbox.ask::<RegisterCapability>(&RegistrationParams { registrations });

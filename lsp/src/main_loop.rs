@@ -206,12 +206,17 @@ impl MainLoop {
     /// Looks at the projects whose time has come.
     fn look_at_what_is_due(&mut self) {
         let now = Instant::now();
-        let ready: Vec<(Home, Due)> =
-            self.due.iter().filter(|(_, due)| due.at <= now).map(|(home, due)| (home.clone(), *due)).collect();
+        let ready: Vec<(Home, Due)> = self
+            .due
+            .iter()
+            .filter(|(_, due)| due.at <= now)
+            .map(|(home, due)| (home.clone(), *due))
+            .collect();
         for (home, _) in &ready {
             self.due.remove(home);
         }
-        let reload: Vec<Home> = ready.iter().filter(|(_, due)| due.reload).map(|(home, _)| home.clone()).collect();
+        let reload: Vec<Home> =
+            ready.iter().filter(|(_, due)| due.reload).map(|(home, _)| home.clone()).collect();
         // What a reload brought up is looked at with the rest, at once.
         let mut homes: BTreeSet<Home> = ready.into_iter().map(|(home, _)| home).collect();
         if !reload.is_empty() {
@@ -228,8 +233,12 @@ impl MainLoop {
         let Phase::Running(client) = self.phase else { return };
         let Some(project) = self.workspace.project(&home) else { return };
         let view = View::new(project, "", self.settings, client);
-        let open: BTreeSet<String> =
-            project.files().iter().filter(|(_, it)| it.version.is_some()).map(|(name, _)| name.clone()).collect();
+        let open: BTreeSet<String> = project
+            .files()
+            .iter()
+            .filter(|(_, it)| it.version.is_some())
+            .map(|(name, _)| name.clone())
+            .collect();
         let revision = project.revision();
         let events = self.events.clone();
         self.pool.run(move || {
@@ -263,7 +272,8 @@ impl MainLoop {
         match response.into_parts().1 {
             Ok(result) => self.answer_to(method, &result),
             Err(error) => {
-                self.outbox.log(MessageType::WARNING, format!("the editor refused {method}: {}", error.message));
+                self.outbox
+                    .log(MessageType::WARNING, format!("the editor refused {method}: {}", error.message));
             }
         }
     }

@@ -45,7 +45,12 @@ impl Outbox {
         self.notify::<LogMessage>(&LogMessageParams { typ, message: message.into() });
     }
 
-    fn send(&self, message: tower_lsp::jsonrpc::RequestBuilder, params: &impl serde::Serialize, id: Option<Id>) {
+    fn send(
+        &self,
+        message: tower_lsp::jsonrpc::RequestBuilder,
+        params: &impl serde::Serialize,
+        id: Option<Id>,
+    ) {
         // The protocol's own types always have a JSON form.
         let Ok(params) = serde_json::to_value(params) else { return };
         let message = message.params(params);

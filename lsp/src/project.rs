@@ -1,7 +1,7 @@
 //! A project: its analysis, and the texts the analysis was given.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 use ropey::Rope;
@@ -45,6 +45,8 @@ pub(crate) struct Project {
     root: FileKey,
     names: HashMap<FileKey, String>,
     files: Arc<Files>,
+    /// Files that were looked for and are not there.
+    missed: BTreeSet<FileKey>,
     revision: u64,
 }
 
@@ -61,6 +63,7 @@ impl Project {
             root,
             names: HashMap::new(),
             files: Arc::new(Files::new()),
+            missed: BTreeSet::new(),
             revision: 0,
         };
         project.reload(documents);
@@ -69,7 +72,8 @@ impl Project {
 
     /// Reads everything again.
     pub(crate) fn reload(&mut self, documents: &Documents) {
-        let reader = Reader { documents, alias: self.alias(), texts: RefCell::default() };
+        let reader =
+            Reader { documents, alias: self.alias(), texts: RefCell::default(), missed: RefCell::default() };
         let mut loaded = match (&self.home, &reader.alias) {
             (_, Some((path, _))) => load(path, &reader),
             (Home::Folder(key) | Home::File(key), None) => load(key.as_str(), &reader),
@@ -83,6 +87,7 @@ impl Project {
             }
             self.add(&mut files, key, &file.path, &file.text, documents);
         }
+        self.missed = reader.missed.into_inner();
         // The manifest, and what was read but is no part of the program: places in them can be reported too.
         for (key, text) in reader.texts.into_inner() {
             let name = self.name_for(&key);
@@ -99,8 +104,7 @@ impl Project {
     /// was never saved, or one with another ending.
     fn alias(&self) -> Option<(String, FileKey)> {
         let Home::File(key) = &self.home else { return None };
-        let lower = key.as_str().to_ascii_lowercase();
-        if key.is_file() && (lower.ends_with(".plc") || lower.ends_with(".inc")) {
+        if key.is_file() && (key.has_ending(".plc") || key.has_ending(".inc")) {
             return None;
         }
         let name = key.name().rsplit(':').next().unwrap_or_default();
@@ -109,7 +113,7 @@ impl Project {
 
     /// A file to be included that no project includes: what it says about a whole program means nothing.
     pub(crate) fn is_fragment(&self) -> bool {
-        matches!(&self.home, Home::File(key) if key.as_str().to_ascii_lowercase().ends_with(".inc"))
+        matches!(&self.home, Home::File(key) if key.has_ending(".inc"))
     }
 
     fn add(&mut self, files: &mut Files, key: FileKey, name: &str, text: &str, documents: &Documents) {
@@ -135,8 +139,11 @@ impl Project {
     /// Takes over the new text of an open document. Returns whether the file is part of this project.
     pub(crate) fn edit(&mut self, key: &FileKey, document: &Document) -> bool {
         let Some(name) = self.names.get(key) else { return false };
-        let state =
-            FileState { text: document.text.clone(), uri: document.uri.clone(), version: Some(document.version) };
+        let state = FileState {
+            text: document.text.clone(),
+            uri: document.uri.clone(),
+            version: Some(document.version),
+        };
         Arc::make_mut(&mut self.files).insert(name.clone(), state);
         let text: Arc<str> = document.text.to_string().into();
         self.host.apply(Change { project: None, texts: vec![(name.clone(), text)] });
@@ -147,6 +154,12 @@ impl Project {
     /// Whether the file is part of the program, or its manifest.
     pub(crate) fn contains(&self, key: &FileKey) -> bool {
         self.names.contains_key(key)
+    }
+
+    /// Whether the project is another one when this file appears, changes or goes.
+    pub(crate) fn hangs_on(&self, key: &FileKey) -> bool {
+        let in_folder = matches!(self.home, Home::Folder(_)) && self.root.contains(key);
+        in_folder || self.contains(key) || self.missed.contains(key)
     }
 
     /// The analysis' name of a file.
@@ -181,6 +194,7 @@ struct Reader<'a> {
     /// A path that stands for a text with another address.
     alias: Option<(String, FileKey)>,
     texts: RefCell<BTreeMap<FileKey, String>>,
+    missed: RefCell<BTreeSet<FileKey>>,
 }
 
 impl Reader<'_> {
@@ -199,7 +213,10 @@ impl FileReader for Reader<'_> {
         let bytes = match self.documents.get(&key) {
             // The mark says UTF-8 whatever encoding the project's files on the disk have.
             Some(document) => format!("\u{feff}{}", document.text).into_bytes(),
-            None if key.is_file() => std::fs::read(key.path()).map_err(|error| error.to_string())?,
+            None if key.is_file() => std::fs::read(key.path()).map_err(|error| {
+                self.missed.borrow_mut().insert(key.clone());
+                error.to_string()
+            })?,
             None => return Err("the editor has closed it".to_owned()),
         };
         let text = String::from_utf8_lossy(&bytes);

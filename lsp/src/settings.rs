@@ -41,7 +41,9 @@ impl Settings {
                     "Setting technol.language = {value} is ignored: it can be \"en\" or \"cs\"."
                 )),
                 (known, _) if CLIENT_KEYS.contains(&known) => {}
-                (unknown, _) => complaints.push(format!("Setting technol.{unknown} is not known and was ignored.")),
+                (unknown, _) => {
+                    complaints.push(format!("Setting technol.{unknown} is not known and was ignored."));
+                }
             }
         }
         complaints

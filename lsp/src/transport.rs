@@ -102,7 +102,10 @@ impl<E: From<FromClient> + Send + 'static> Service<Request> for Intake<E> {
 }
 
 fn unreadable_id(params: Option<&serde_json::Value>) -> Id {
-    params.and_then(|it| it.get("id")).and_then(|id| serde_json::from_value(id.clone()).ok()).unwrap_or(Id::Null)
+    params
+        .and_then(|it| it.get("id"))
+        .and_then(|id| serde_json::from_value(id.clone()).ok())
+        .unwrap_or(Id::Null)
 }
 
 /// The way from us to the client.

@@ -79,6 +79,9 @@ impl View {
 
     /// The client's location for the analysis'.
     pub(crate) fn location(&self, location: &Location) -> Option<lsp::Location> {
-        Some(lsp::Location { uri: self.uri(&location.file)?, range: self.range(&location.file, location.span) })
+        Some(lsp::Location {
+            uri: self.uri(&location.file)?,
+            range: self.range(&location.file, location.span),
+        })
     }
 }

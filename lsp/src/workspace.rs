@@ -90,10 +90,9 @@ impl Workspace {
 
     /// Files changed on the disk.
     pub(crate) fn touched(&mut self, keys: &[FileKey]) -> Effects {
-        let concerns = |home: &Home, project: &Project| {
-            keys.iter().any(|key| project.contains(key) || (is_home_folder(home) && project.root().contains(key)))
-        };
-        let reload = self.projects.iter().filter(|(home, it)| concerns(home, it)).map(|(home, _)| home.clone());
+        let concerned =
+            self.projects.iter().filter(|(_, project)| keys.iter().any(|key| project.hangs_on(key)));
+        let reload = concerned.map(|(home, _)| home.clone());
         let effects = Effects { reload: reload.collect(), ..Effects::default() };
         self.settle(effects)
     }
@@ -167,7 +166,8 @@ impl Workspace {
             lone.push(key);
         }
         for key in lone {
-            let housed = wanted.iter().any(|home| self.projects.get(home).is_some_and(|it| it.contains(&key)));
+            let housed =
+                wanted.iter().any(|home| self.projects.get(home).is_some_and(|it| it.contains(&key)));
             if !housed && key.name() != MANIFEST {
                 let home = Home::File(key);
                 self.ensure(&home, &mut effects);

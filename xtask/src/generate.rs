@@ -30,7 +30,8 @@ pub(crate) fn generate(check: bool) -> Result<(), String> {
             stale.push(file.path);
             continue;
         }
-        fs::write(&path, &file.content).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+        fs::write(&path, &file.content)
+            .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
         println!("written: {}", file.path);
     }
     if stale.is_empty() {

@@ -43,11 +43,8 @@ fn collect(db: &dyn Db, project: Project) -> ProjectInput {
     let parts = &database::parts(db, project).parts;
     let sections = parts.iter().map(|part| {
         let section = part.section;
-        let code = if has_code(part.kind) {
-            Arc::clone(section_code(db, project, section))
-        } else {
-            Arc::default()
-        };
+        let code =
+            if has_code(part.kind) { Arc::clone(section_code(db, project, section)) } else { Arc::default() };
         SectionInput {
             file: index.get(&section.file(db)).copied().unwrap_or_default(),
             owner: part.file,
@@ -65,22 +62,30 @@ fn collect(db: &dyn Db, project: Project) -> ProjectInput {
     ProjectInput { name, debug_everywhere, sections: sections.collect(), files }
 }
 
-/// A problem at the text of its line.
-fn diagnostic(input: &ProjectInput, problem: &BuildProblem) -> (String, Diagnostic) {
-    let file = input.files.get(usize::from(problem.file));
-    let line = file.and_then(|f| f.text.lines().nth(problem.line as usize)).unwrap_or_default();
+/// The problems, each at the text of its line.
+fn diagnostics(input: &ProjectInput, problems: &[BuildProblem]) -> Vec<(String, Diagnostic)> {
+    let mut lines: HashMap<u16, Vec<&str>> = HashMap::new();
+    let located = problems.iter().map(|problem| {
+        let file = input.files.get(usize::from(problem.file));
+        let text = file.map_or("", |f| f.text.as_ref());
+        let lines = lines.entry(problem.file).or_insert_with(|| text.lines().collect());
+        let line = lines.get(problem.line as usize).copied().unwrap_or_default();
+        (file.map(|f| f.path.clone()).unwrap_or_default(), diagnostic(problem, line))
+    });
+    located.collect()
+}
+
+fn diagnostic(problem: &BuildProblem, line: &str) -> Diagnostic {
     let code = super::source_text::without_comment(line).trim_end();
     let start = code.len() - code.trim_start().len();
-    let rule = problem.kind.rule();
-    let diagnostic = Diagnostic {
-        code: rule.code,
+    Diagnostic {
+        code: problem.kind.rule().code,
         severity: Severity::Error,
         message: problem.kind.message(),
         span: Span::in_line(problem.line, start as u32, code.len() as u32),
         related: Vec::new(),
         fix: None,
-    };
-    (file.map(|f| f.path.clone()).unwrap_or_default(), diagnostic)
+    }
 }
 
 impl Analysis {
@@ -105,7 +110,7 @@ impl Analysis {
                 Ok(built) => return Ok(built),
                 Err(problems) => problems,
             };
-            Err(problems.iter().map(|problem| diagnostic(&input, problem)).collect())
+            Err(diagnostics(&input, &problems))
         })
     }
 
@@ -128,7 +133,8 @@ impl Analysis {
         self.with(|db, project| {
             let files: Vec<SourceFile> = project.map_or_else(Vec::new, |p| all_files(db, p).collect());
             let settings = project.map(|p| Arc::clone(p.settings(db))).unwrap_or_default();
-            let texts = files.iter().map(|file| (file.path(db).as_str(), file.order(db), file.text(db).as_ref()));
+            let texts =
+                files.iter().map(|file| (file.path(db).as_str(), file.order(db), file.text(db).as_ref()));
             fingerprint::sources_hash(&settings.name, settings.debug_everywhere, texts)
         })
     }

@@ -41,7 +41,9 @@ pub fn system_symbol(symbol: &SystemSymbol) -> Option<Symbol> {
     let kind = match symbol.kind {
         SystemKind::Bit { addr, bit } => SymbolKind::Bit { addr, bit },
         SystemKind::Cell { addr, prefix } => SymbolKind::Cell { addr, width: width(prefix) },
-        SystemKind::Array { addr, element, len } => SymbolKind::Area { addr, len: width(element).bytes() * len },
+        SystemKind::Array { addr, element, len } => {
+            SymbolKind::Area { addr, len: width(element).bytes() * len }
+        }
         SystemKind::Area { addr, len } => SymbolKind::Area { addr, len },
         SystemKind::Constant(value) => SymbolKind::Constant { value },
         SystemKind::FormalBit { .. } => return None,
@@ -108,7 +110,9 @@ impl Declaration<'_> {
                 let label = labels.find(|l| l.section == self.index && *l.name == *key);
                 label.map(|label| SymbolKind::Label { pc: label.pc })
             }
-            _ => self.layout.place(&SymbolKey { scope: self.scope, name: key.as_str().into() }).map(in_memory),
+            _ => {
+                self.layout.place(&SymbolKey { scope: self.scope, name: key.as_str().into() }).map(in_memory)
+            }
         };
         let Some(kind) = kind else { return };
         let is_mechanism = matches!(kind, SymbolKind::Mechanism { .. });

@@ -33,8 +33,12 @@ impl<'a> Disassembler<'a> {
     /// A disassembler; without debug information it writes addresses instead of names.
     #[must_use]
     pub fn new(program: &'a Program, debug: Option<&'a DebugInfo>) -> Self {
-        let mut this =
-            Disassembler { program, bits: BTreeMap::new(), cells: BTreeMap::new(), sequences: BTreeMap::new() };
+        let mut this = Disassembler {
+            program,
+            bits: BTreeMap::new(),
+            cells: BTreeMap::new(),
+            sequences: BTreeMap::new(),
+        };
         for symbol in debug.iter().flat_map(|d| &d.symbols) {
             let name = symbol.name.as_str();
             match symbol.kind {
@@ -99,7 +103,10 @@ impl<'a> Disassembler<'a> {
             Op::Copy { src, dst, len } => format!("MV {},{},{len}", self.area(*src), self.area(*dst)),
             Op::Clear { addr, len } => {
                 let last = addr.saturating_add(len.saturating_sub(1));
-                format!("CLEAR {} {{{addr:04X}h..{last:04X}h}}", self.area(Place { addr: *addr, indexed: false }))
+                format!(
+                    "CLEAR {} {{{addr:04X}h..{last:04X}h}}",
+                    self.area(Place { addr: *addr, indexed: false })
+                )
             }
             Op::Call(_)
             | Op::Return
@@ -161,7 +168,9 @@ impl<'a> Disassembler<'a> {
             Op::Ex { point, .. } => format!("EX {{{point}}}"),
             Op::ExIf { wait_when, point, .. } => format!("EX{} {{{point}}}", u8::from(*wait_when)),
             Op::Bex { point, .. } => format!("BEX {{{point}}}"),
-            Op::Timed(n) => self.program.timed.get(usize::from(*n)).map_or("TEX ?".to_owned(), |t| self.timed(t)),
+            Op::Timed(n) => {
+                self.program.timed.get(usize::from(*n)).map_or("TEX ?".to_owned(), |t| self.timed(t))
+            }
             Op::Message { index, cond } => {
                 let message = self.program.messages.get(usize::from(*index));
                 let parameters = message.map_or(" ?".to_owned(), |m| self.message(m));
@@ -180,8 +189,11 @@ impl<'a> Disassembler<'a> {
             Some(false) => "TEX0",
             Some(true) => "TEX1",
         };
-        let mut text =
-            format!("{mnemonic} {},{}", self.place(timed.count, timed.width), self.source(&timed.time, timed.width));
+        let mut text = format!(
+            "{mnemonic} {},{}",
+            self.place(timed.count, timed.width),
+            self.source(&timed.time, timed.width)
+        );
         if let Some(error) = timed.error {
             let _ = write!(text, ",{error:04X}h");
         }
@@ -193,7 +205,8 @@ impl<'a> Disassembler<'a> {
     }
 
     fn message(&self, message: &Message) -> String {
-        let value = |v: &Option<(Source, Width)>| v.as_ref().map_or("-".to_owned(), |(s, w)| self.source(s, *w));
+        let value =
+            |v: &Option<(Source, Width)>| v.as_ref().map_or("-".to_owned(), |(s, w)| self.source(s, *w));
         let mut parts = vec![value(&message.number), value(&message.sub_id)];
         parts.push(if message.set { "-".to_owned() } else { "0".to_owned() });
         parts.extend(message.parameters.iter().map(value));
@@ -210,7 +223,9 @@ impl<'a> Disassembler<'a> {
     fn sequence_line(&self, n: u16, mechanism: &str, module: &str) -> String {
         let sequence = self.program.sequences.get(usize::from(n));
         match sequence.map(|s| s.kind) {
-            Some(SequenceKind::BlockInit | SequenceKind::BlockDone) => format!("{}{module}", self.sequence(n)),
+            Some(SequenceKind::BlockInit | SequenceKind::BlockDone) => {
+                format!("{}{module}", self.sequence(n))
+            }
             _ => format!("{mechanism}{}", self.sequence(n)),
         }
     }
@@ -332,7 +347,8 @@ fn raster(rate: Raster) -> &'static str {
     }
 }
 
-fn prefix(width: Width) -> &'static str {
+/// The prefix that names a type.
+pub(super) fn prefix(width: Width) -> &'static str {
     match width {
         Width::Byte => "BYTE",
         Width::Word => "WORD",

@@ -1,5 +1,6 @@
 //! Joins the code of all sections into one program.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use technol_image::op::{Addr, Cond, Op, Pc};
@@ -325,6 +326,12 @@ impl<'a> Linker<'a> {
         if !self.problems.is_empty() {
             self.problems.sort_by_key(|p| (p.file, p.line));
             self.problems.dedup();
+            // A full table is reported where it overflows, not for all that follows.
+            let mut full = BTreeSet::new();
+            self.problems.retain(|p| match p.kind {
+                ProblemKind::TableFull(what, _) => full.insert(what),
+                _ => true,
+            });
             return Err(self.problems);
         }
         let mut linked_sequences = Vec::with_capacity(self.sequences.len());

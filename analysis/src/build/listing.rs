@@ -9,6 +9,7 @@ use technol_image::op::{Op, Pc};
 use technol_image::program::Program;
 
 use super::debug_info::memory_of;
+use super::disassembly::prefix;
 use super::{Built, Disassembler};
 
 /// Column of the source text.
@@ -125,7 +126,7 @@ fn symbol_table(out: &mut String, program: &Program, debug: &DebugInfo) {
 fn describe(kind: &SymbolKind, program: &Program) -> String {
     match *kind {
         SymbolKind::Bit { addr, bit } => format!("{addr:04X}h.{bit}"),
-        SymbolKind::Cell { addr, width } => format!("{addr:04X}h {} bytes", width.bytes()),
+        SymbolKind::Cell { addr, width } => format!("{addr:04X}h {}", prefix(width)),
         SymbolKind::Area { addr, len } => format!("{addr:04X}h area {len}"),
         SymbolKind::Text { addr, len } => format!("{addr:04X}h text {len}"),
         SymbolKind::Constant { value } => format!("= {value}"),

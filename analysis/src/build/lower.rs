@@ -94,7 +94,9 @@ impl Lowering {
 
     fn instruction(&mut self, instruction: &Instruction) {
         let entry = instruction.entry;
-        let Some(form) = form(entry.name).filter(|_| entry.executable || entry.kind != EntryKind::Instruction) else {
+        let Some(form) =
+            form(entry.name).filter(|_| entry.executable || entry.kind != EntryKind::Instruction)
+        else {
             if entry.kind == EntryKind::Instruction {
                 self.problem(ProblemKind::NotExecutable(entry.name.to_owned()));
             }
@@ -151,7 +153,9 @@ impl Lowering {
                 let index = table_index("procedures and mechanisms", index)?;
                 self.emit(if form == Form::Call { Op::Call(index) } else { Op::SeqInit(index) });
             }
-            Form::Ex | Form::ExIf { .. } | Form::Bex | Form::Timed(_) => return self.sequential(form, operands),
+            Form::Ex | Form::ExIf { .. } | Form::Bex | Form::Timed(_) => {
+                return self.sequential(form, operands);
+            }
             Form::Message(cond) => return self.message(cond, operands),
             Form::InitFinished => {
                 self.code.init_finished = true;
@@ -249,7 +253,9 @@ impl Lowering {
             Form::Copy => {
                 let (src, ..) = code.area(operands.get(0)).ok_or_else(|| operands.problem(0))?;
                 let (dst, ..) = code.area(operands.get(1)).ok_or_else(|| operands.problem(1))?;
-                let Some(Operand::Integer { value, .. }) = operands.get(2) else { return Err(operands.problem(2)) };
+                let Some(Operand::Integer { value, .. }) = operands.get(2) else {
+                    return Err(operands.problem(2));
+                };
                 Op::Copy { src, dst, len: u32::try_from(*value).map_err(|_| operands.problem(2))? }
             }
             _ => Op::Clear { addr: self.clear(operands)?, len: 0 },
@@ -261,16 +267,26 @@ impl Lowering {
     /// The number of a new CLEAR range.
     fn clear(&mut self, operands: &Operands<'_>) -> Result<u32, ProblemKind> {
         let range = match operands.get(0) {
-            Some(Operand::Keyword("GLOBAL")) => ClearRange::Global,
-            Some(Operand::Keyword("INTERNAL")) => ClearRange::Internal,
+            Some(Operand::Keyword(region)) if matches!(operands.get(1), Some(Operand::Keyword("ALL"))) => {
+                match *region {
+                    "GLOBAL" => ClearRange::Global,
+                    "INTERNAL" => ClearRange::Internal,
+                    _ => return Err(operands.problem(0)),
+                }
+            }
             first => {
                 let (begin, ..) = self.code.area(first).ok_or_else(|| operands.problem(0))?;
-                let (end, offset, len) = self.code.area(operands.get(1)).ok_or_else(|| operands.problem(1))?;
+                let (end, offset, len) =
+                    self.code.area(operands.get(1)).ok_or_else(|| operands.problem(1))?;
                 if begin.indexed || end.indexed {
                     return Err(ProblemKind::Clear);
                 }
                 // A whole variable is cleared with its last byte; with an offset the byte at that address is the last.
-                ClearRange::Span { begin: begin.addr, end: end.addr, tail: if offset == 0 { len.max(1) } else { 1 } }
+                ClearRange::Span {
+                    begin: begin.addr,
+                    end: end.addr,
+                    tail: if offset == 0 { len.max(1) } else { 1 },
+                }
             }
         };
         self.code.clears.push(range);
@@ -286,8 +302,11 @@ impl Lowering {
             Form::RloToDr => Op::RloToDr(width(0)?),
             Form::IntToReal => Op::IntToReal(width(0)?),
             Form::Shift { left } => {
-                let (count, kind) = self.code.plain_value(operands.get(0)).ok_or_else(|| operands.problem(0))?;
-                if matches!(count, Source::Real(_)) || (matches!(count, Source::Mem(_)) && kind != Width::Byte) {
+                let (count, kind) =
+                    self.code.plain_value(operands.get(0)).ok_or_else(|| operands.problem(0))?;
+                if matches!(count, Source::Real(_))
+                    || (matches!(count, Source::Mem(_)) && kind != Width::Byte)
+                {
                     return Err(operands.problem(0));
                 }
                 Op::Shift { left, count, width: width(1)? }
@@ -345,7 +364,8 @@ impl Lowering {
             (cell, of_time) => {
                 // A cell of another length is one that the counter's prefix covers.
                 let covered = counter.filter(|_| !matches!(of_time, Width::Byte | Width::Word));
-                let width = counter_width(Some(covered.unwrap_or(of_time))).ok_or_else(|| operands.problem(1))?;
+                let width =
+                    counter_width(Some(covered.unwrap_or(of_time))).ok_or_else(|| operands.problem(1))?;
                 if counter.is_some_and(|of_counter| of_counter != width) {
                     return Err(ProblemKind::MixedWidths(operands.name));
                 }

@@ -11,7 +11,9 @@ pub(super) enum Form {
     Ldr,
     Logic(Logic),
     Complement,
-    Edge { rising: bool },
+    Edge {
+        rising: bool,
+    },
     Write,
     Flag(Cond),
     MoveBit(Cond),
@@ -20,12 +22,17 @@ pub(super) enum Form {
     Store(Cond),
     Move(Cond),
     Arith(Arith),
-    Compare { op: Compare, if_rlo: bool },
+    Compare {
+        op: Compare,
+        if_rlo: bool,
+    },
     Unary(Unary),
     IncrementBcd,
     BcdToBin,
     BinToBcd,
-    Shift { left: bool },
+    Shift {
+        left: bool,
+    },
     DrToRlo,
     RloToDr,
     IntToReal,
@@ -37,7 +44,9 @@ pub(super) enum Form {
     Call,
     SeqInit,
     Ex,
-    ExIf { wait_when: bool },
+    ExIf {
+        wait_when: bool,
+    },
     Bex,
     Timed(Option<bool>),
     Message(Cond),
@@ -143,6 +152,7 @@ pub(super) fn form(mnemonic: &str) -> Option<Form> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue::{self, EntryKind};
 
     #[test]
     fn the_table_is_sorted_and_names_each_instruction_once() {
@@ -156,5 +166,15 @@ mod tests {
         }
         assert_eq!(form("STRCPY"), None);
         assert_eq!(form(""), None);
+    }
+
+    #[test]
+    fn exactly_the_executable_instructions_of_the_catalogue_have_code() {
+        for entry in catalogue::entries().filter(|entry| entry.kind == EntryKind::Instruction) {
+            assert_eq!(form(entry.name).is_some(), entry.executable, "{}", entry.name);
+        }
+        for (name, _) in FORMS {
+            assert!(catalogue::entry(name).is_some(), "{name}");
+        }
     }
 }

@@ -32,7 +32,9 @@ pub use fingerprint::sources_hash;
 pub use input::{BuildProblem, FileInput, ProjectInput, SectionInput};
 pub use listing::listing;
 pub use lower::lower;
-pub use section_code::{ClearRange, CodeLine, LineProblem, NestedCode, ProblemKind, ResumePoint, SectionCode, Slot};
+pub use section_code::{
+    ClearRange, CodeLine, LineProblem, NestedCode, ProblemKind, ResumePoint, SectionCode, Slot,
+};
 
 use crate::semantics::layout::Layout;
 

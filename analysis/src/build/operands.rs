@@ -86,7 +86,10 @@ impl SectionCode {
     }
 
     /// A counter of TM, TEX or TIM; `None` as width for an automatic one, which is a WORD.
-    pub(super) fn counter_or_automatic(&mut self, operand: Option<&Operand>) -> Option<(Place, Option<Width>)> {
+    pub(super) fn counter_or_automatic(
+        &mut self,
+        operand: Option<&Operand>,
+    ) -> Option<(Place, Option<Width>)> {
         match operand {
             None | Some(Operand::Skipped) => Some((self.counter(), None)),
             cell => self.plain_cell(cell).map(|(place, width)| (place, Some(width))),

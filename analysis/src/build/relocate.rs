@@ -37,7 +37,9 @@ impl Relocation<'_> {
     /// Replaces the numbers in `op` by addresses.
     pub(super) fn op(&self, op: &mut Op) -> Relocated {
         match op {
-            Op::Ldr { bit, .. } | Op::Logic { bit, .. } | Op::Write(bit) | Op::Flag { bit, .. } => self.bit(bit),
+            Op::Ldr { bit, .. } | Op::Logic { bit, .. } | Op::Write(bit) | Op::Flag { bit, .. } => {
+                self.bit(bit)
+            }
             Op::Edge { bit, state, .. } => {
                 *state = self.own(*state)?;
                 self.bit(bit)

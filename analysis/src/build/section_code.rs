@@ -187,19 +187,25 @@ impl ProblemKind {
         match self {
             ProblemKind::NotExecutable(name) => format!("not executable on this target yet: {name}"),
             ProblemKind::Operand(n, name) => format!("operand {n} of {name} cannot be translated"),
-            ProblemKind::Label(name) => format!("the label {name} is not in this module, mechanism or procedure"),
+            ProblemKind::Label(name) => {
+                format!("the label {name} is not in this module, mechanism or procedure")
+            }
             ProblemKind::MixedWidths(name) => format!(
                 "the counter and the time of {name} have different types; both must be BYTE or both WORD"
             ),
             ProblemKind::TimeTooLong(time) => {
-                format!("the counter can never reach {time}; use a WORD counter or a time from 0 to its maximum")
+                format!(
+                    "the counter can never reach {time}; use a WORD counter or a time from 0 to its maximum"
+                )
             }
             ProblemKind::OutsideArea(name) => format!("the access at {name} leaves the data area"),
             ProblemKind::NoAddress(name) => format!("{name} has no address in PLC memory"),
             ProblemKind::Clear => {
                 "CLEAR needs two variables of one data area, the first one not after the second".to_owned()
             }
-            ProblemKind::TableFull(what, limit) => format!("too many {what}: a program holds at most {limit}"),
+            ProblemKind::TableFull(what, limit) => {
+                format!("too many {what}: a program holds at most {limit}")
+            }
             ProblemKind::Misplaced(name) => {
                 format!("{name} must stand in a module, and not inside another mechanism or procedure")
             }

@@ -32,26 +32,30 @@ pub(super) fn condition<'a>(lines: impl DoubleEndedIterator<Item = &'a str>) -> 
     let mut shown: Vec<String> = Vec::new();
     let mut length = 0;
     let mut complete = true;
-    for line in lines.rev() {
-        let line = operation(line);
-        if line.is_empty() {
-            continue;
-        }
-        let added = line.chars().count() + SEPARATOR.len();
-        if length + added > CONDITION {
+    for line in lines.rev().map(operation).filter(|line| !line.is_empty()) {
+        length += line.chars().count() + SEPARATOR.len();
+        shown.push(line);
+        if length > CONDITION + SEPARATOR.len() {
             complete = false;
-            if shown.is_empty() {
-                shown.push(line.chars().take(CONDITION - 1).collect::<String>() + "…");
-                complete = true;
-            }
             break;
         }
-        length += added;
-        shown.push(line);
     }
     shown.reverse();
-    let joined = shown.join(SEPARATOR);
-    if complete { joined } else { format!("… / {joined}") }
+    if complete {
+        return shown.join(SEPARATOR);
+    }
+    // Room for the mark of what is left out.
+    let fits =
+        |shown: &[String]| 1 + shown.iter().map(|l| l.chars().count() + SEPARATOR.len()).sum::<usize>();
+    while shown.len() > 1 && fits(&shown) > CONDITION {
+        shown.remove(0);
+    }
+    let text = shown.join(SEPARATOR);
+    if fits(&shown) <= CONDITION {
+        format!("…{SEPARATOR}{text}")
+    } else {
+        text.chars().take(CONDITION - 1).chain(['…']).collect()
+    }
 }
 
 #[cfg(test)]
@@ -71,6 +75,9 @@ mod tests {
         let shown = condition(lines.iter().map(String::as_str));
         assert_eq!(shown, "… / LA CONTACT_16 / LA CONTACT_17 / LA CONTACT_18 / LA CONTACT_19");
         let long = "STRCPY A,'".to_owned() + &"ž".repeat(200) + "'";
-        assert_eq!(condition([long.as_str()].into_iter()).chars().count(), 80);
+        let shown = condition([long.as_str()].into_iter());
+        assert!(shown.ends_with("ž…") && shown.chars().count() == 80, "{shown}");
+        let exact = ["LDR A".repeat(8), "B".repeat(37)];
+        assert_eq!(condition(exact.iter().map(String::as_str)).chars().count(), 80);
     }
 }

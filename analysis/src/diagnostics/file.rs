@@ -41,44 +41,45 @@ fn of_section<'db>(
         let parsed = database::section_lines(db, section);
         let mut texts = crate::syntax::lines(section.text(db)).enumerate();
         for error in &parsed.errors {
-            let text = texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
+            let text =
+                texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
             let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
             let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
-            let unknown =
-                own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
+            let unknown = own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
             if !include && !unknown {
                 found.push((section, syntax::finding(error, text)));
             }
         }
     }
     found.extend(own().map(|finding| (section, finding.clone())));
-    let overruns = analysis.overruns.iter().map(|overrun| (section, past(db, project, overrun)));
+    let overruns = analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
     includes(db, project, section, found);
 }
 
-/// An access that ends outside its symbol: a warning, or an error when it leaves the data area.
-fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Finding {
+/// An access that ends outside its symbol: an error when it leaves the data area, a warning when it begins inside the
+/// symbol. One that begins outside was written with an offset: it is meant for a neighbour.
+fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Option<Finding> {
     let name = &overrun.symbol.name;
     let outside = !database::inside_data(db, project, &overrun.symbol, overrun.offset, overrun.bytes);
+    let finding = |rule, message: String| {
+        Some(Finding::new(rule, overrun.line, overrun.columns.clone(), message).declared_at(&overrun.symbol))
+    };
     if outside {
         let message = format!("this access to {name}{:+} leaves the data area", overrun.offset);
-        return Finding::new(&operands::ACCESS_OUTSIDE_DATA, overrun.line, overrun.columns.clone(), message)
-            .declared_at(&overrun.symbol);
+        return finding(&operands::ACCESS_OUTSIDE_DATA, message);
+    }
+    if !(0..i64::from(overrun.declared)).contains(&overrun.offset) {
+        return None;
     }
     let bytes = |n: u32| if n == 1 { "1 byte".to_string() } else { format!("{n} bytes") };
     let message = if overrun.offset == 0 {
         format!("{} are accessed, but {name} has {}", bytes(overrun.bytes), bytes(overrun.declared))
     } else {
-        format!(
-            "{} at offset {} lie outside {name}, which has {}",
-            bytes(overrun.bytes),
-            overrun.offset,
-            bytes(overrun.declared)
-        )
+        let (length, declared) = (bytes(overrun.bytes), bytes(overrun.declared));
+        format!("{length} are accessed from offset {}, but {name} has {declared}", overrun.offset)
     };
-    Finding::new(&operands::ACCESS_PAST_CELL, overrun.line, overrun.columns.clone(), message)
-        .declared_at(&overrun.symbol)
+    finding(&operands::ACCESS_PAST_CELL, message)
 }
 
 fn includes<'db>(
@@ -93,7 +94,8 @@ fn includes<'db>(
     }
     let path = section.file(db).path(db);
     for include in &declared.includes {
-        let finding = |rule, message: String| Finding::new(rule, include.line, include.columns.clone(), message);
+        let finding =
+            |rule, message: String| Finding::new(rule, include.line, include.columns.clone(), message);
         match project.includes(db).get(&(path.clone(), include.name.clone())) {
             Some(IncludeTarget::Missing(why)) => {
                 found.push((section, finding(&project_rules::MISSING_INCLUDE, why.clone())));
@@ -105,7 +107,8 @@ fn includes<'db>(
             Some(IncludeTarget::File(target)) => {
                 let repeated = &database::parts(db, project).repeated;
                 if repeated.iter().any(|r| r.section == section && r.name == include.name) {
-                    let message = format!("{target} declares memory and is included already; include it once");
+                    let message =
+                        format!("{target} declares memory and is included already; include it once");
                     found.push((section, finding(&project_rules::INCLUDED_TWICE, message)));
                 }
             }
@@ -149,9 +152,10 @@ fn clashes<'db>(
                     &declarations::DUPLICATE_NAME,
                     format!("{name} is declared in DATA and in DATA_LOCAL of this file"),
                 ),
-                Clash::Values => {
-                    (&declarations::CONFLICTING_CONSTANT, format!("{name} has different values in the project"))
-                }
+                Clash::Values => (
+                    &declarations::CONFLICTING_CONSTANT,
+                    format!("{name} has different values in the project"),
+                ),
             };
             let mut finding = Finding::new(rule, line, columns, message);
             for (_, other) in others {
@@ -173,7 +177,10 @@ fn recursion<'db>(
     for call in database::recursive_calls(db, project) {
         if call.section.file(db) == file {
             let message = format!("procedures call each other in a circle: {}", call.circle);
-            found.push((call.section, Finding::new(&sequences::RECURSION, call.line, call.columns.clone(), message)));
+            found.push((
+                call.section,
+                Finding::new(&sequences::RECURSION, call.line, call.columns.clone(), message),
+            ));
         }
     }
 }

@@ -102,9 +102,12 @@ pub struct Finding {
     pub message: String,
     /// Other places that belong to it.
     pub related: Vec<(Anchor, String)>,
-    /// A remedy: title, and replacements as (own line, columns, text).
-    pub fix: Option<(String, Vec<(u32, Columns, String)>)>,
+    /// A remedy: title, and replacements.
+    pub fix: Option<(String, Vec<OwnEdit>)>,
 }
+
+/// A replacement in the finding's section: own line, columns, text.
+pub type OwnEdit = (u32, Columns, String);
 
 /// A place a finding refers to, without absolute lines.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,8 +5,7 @@ use super::{Finding, Rule};
 use crate::syntax::ast::{SyntaxError, SyntaxErrorKind};
 
 /// A syntax error as a finding; `line` is the text of its line.
-#[must_use]
-pub fn finding(error: &SyntaxError, line: &str) -> Finding {
+pub(super) fn finding(error: &SyntaxError, line: &str) -> Finding {
     let (rule, message): (&'static Rule, String) = match &error.kind {
         SyntaxErrorKind::UnexpectedCharacter(c) => {
             (&rules::UNEXPECTED_CHARACTER, format!("the character {} has no meaning here", shown(*c)))
@@ -17,11 +16,12 @@ pub fn finding(error: &SyntaxError, line: &str) -> Finding {
         SyntaxErrorKind::UnclosedText => {
             (&rules::UNCLOSED_TEXT, "this text never ends; close it with an apostrophe".to_string())
         }
-        SyntaxErrorKind::BadNumber => (
-            &rules::BAD_NUMBER,
-            "this number cannot be read; forms are 123, 0F8h, 0001b and 1.5".to_string(),
-        ),
-        SyntaxErrorKind::Unbalanced(c) => (&rules::UNBALANCED_BRACKET, format!("the bracket {c} has no partner")),
+        SyntaxErrorKind::BadNumber => {
+            (&rules::BAD_NUMBER, "this number cannot be read; forms are 123, 0F8h, 0001b and 1.5".to_string())
+        }
+        SyntaxErrorKind::Unbalanced(c) => {
+            (&rules::UNBALANCED_BRACKET, format!("the bracket {c} has no partner"))
+        }
         SyntaxErrorKind::ExpectedOperand => {
             (&rules::EXPECTED_OPERAND, "an operand is missing here".to_string())
         }

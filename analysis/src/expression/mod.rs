@@ -107,7 +107,9 @@ impl fmt::Display for ExpressionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ExpressionError::Empty => write!(f, "nothing to evaluate: give a name, for instance RLO"),
-            ExpressionError::Unexpected(_, found) if found.is_empty() => write!(f, "the expression is not complete"),
+            ExpressionError::Unexpected(_, found) if found.is_empty() => {
+                write!(f, "the expression is not complete")
+            }
             ExpressionError::Unexpected(column, found) => {
                 write!(f, "`{found}` at column {} is not expected here", column + 1)
             }
@@ -118,11 +120,20 @@ impl fmt::Display for ExpressionError {
             }
             ExpressionError::File(name) => write!(f, "the program has no file {name}"),
             ExpressionError::NeedsType(name) => {
-                write!(f, "{name} has no type; say BYTE.{name}, WORD.{name}, DWRD.{name}, QWRD.{name} or REAL.{name}")
+                write!(
+                    f,
+                    "{name} has no type; say BYTE.{name}, WORD.{name}, DWRD.{name}, QWRD.{name} or REAL.{name}"
+                )
             }
-            ExpressionError::NotInMemory(name, what) => write!(f, "{name} is {what} and has no value in memory"),
-            ExpressionError::NotABit(name) => write!(f, "{name} is not a bit; say its name or a number from 0 to 7"),
-            ExpressionError::NotAConstant(name) => write!(f, "{name} is not a constant; an offset needs a number"),
+            ExpressionError::NotInMemory(name, what) => {
+                write!(f, "{name} is {what} and has no value in memory")
+            }
+            ExpressionError::NotABit(name) => {
+                write!(f, "{name} is not a bit; say its name or a number from 0 to 7")
+            }
+            ExpressionError::NotAConstant(name) => {
+                write!(f, "{name} is not a constant; an offset needs a number")
+            }
             ExpressionError::BitPosition(name) => {
                 write!(f, "{name} stands for a bit position only; say a byte before it: adr.{name}")
             }
@@ -150,7 +161,9 @@ pub fn resolve(debug: &DebugInfo, file: Option<u8>, text: &str) -> Result<Target
         Expression::Cell { prefix, address } => cell(&names, prefix, &address),
         Expression::Bit { address, bit } => bit_at(&names, &address, &bit),
         Expression::SameByte { offset, bit } => {
-            let Found::Bit { addr, bit } = names.find(&bit)? else { return Err(ExpressionError::NotABit(bit)) };
+            let Found::Bit { addr, bit } = names.find(&bit)? else {
+                return Err(ExpressionError::NotABit(bit));
+            };
             Ok(Target::Bit { addr: moved(addr, offset)?, bit })
         }
     }
@@ -172,7 +185,11 @@ fn named(names: &Names<'_>, name: &str) -> Result<Target, ExpressionError> {
     }
 }
 
-fn cell(names: &Names<'_>, prefix: Option<parse::Prefix>, address: &Address) -> Result<Target, ExpressionError> {
+fn cell(
+    names: &Names<'_>,
+    prefix: Option<parse::Prefix>,
+    address: &Address,
+) -> Result<Target, ExpressionError> {
     let (found, addr) = located(names, address)?;
     match (prefix, found) {
         (Some(prefix), _) => Ok(Target::Cell { addr: moved(addr, prefix.offset)?, width: prefix.width }),
@@ -197,7 +214,10 @@ fn bit_at(names: &Names<'_>, address: &Address, bit: &Bit) -> Result<Target, Exp
 fn located(names: &Names<'_>, address: &Address) -> Result<(Found, Addr), ExpressionError> {
     let found = names.find(&address.name)?;
     let base = match found {
-        Found::Bit { addr, .. } | Found::Cell { addr, .. } | Found::Text { addr, .. } | Found::Area { addr } => addr,
+        Found::Bit { addr, .. }
+        | Found::Cell { addr, .. }
+        | Found::Text { addr, .. }
+        | Found::Area { addr } => addr,
         Found::Constant(_) => return Err(ExpressionError::NotInMemory(address.name.clone(), "a constant")),
         Found::Mechanism(_) => return Err(ExpressionError::NotInMemory(address.name.clone(), "a mechanism")),
         Found::BitPosition(_) => return Err(ExpressionError::BitPosition(address.name.clone())),

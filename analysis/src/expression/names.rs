@@ -12,10 +12,21 @@ use crate::syntax::ast::SIGNIFICANT;
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Found {
-    Bit { addr: Addr, bit: u8 },
-    Cell { addr: Addr, width: Width },
-    Text { addr: Addr, len: u32 },
-    Area { addr: Addr },
+    Bit {
+        addr: Addr,
+        bit: u8,
+    },
+    Cell {
+        addr: Addr,
+        width: Width,
+    },
+    Text {
+        addr: Addr,
+        len: u32,
+    },
+    Area {
+        addr: Addr,
+    },
     Constant(i64),
     Mechanism(u16),
     /// A bit number without a byte.
@@ -62,7 +73,9 @@ impl Names<'_> {
             Some((rank, symbol)) if rank < 4 => Ok(found(&symbol.kind)),
             label => match predefined(name) {
                 Some(found) => Ok(found),
-                None => label.map(|(_, s)| found(&s.kind)).ok_or_else(|| ExpressionError::Unknown(name.to_owned())),
+                None => label
+                    .map(|(_, s)| found(&s.kind))
+                    .ok_or_else(|| ExpressionError::Unknown(name.to_owned())),
             },
         }
     }

@@ -85,7 +85,8 @@ impl Parser {
         if !self.take('.') {
             let before = address.clone();
             self.offsets(&mut address)?;
-            let lone = !parenthesised && before == address && address.offset == 0 && address.constants.is_empty();
+            let lone =
+                !parenthesised && before == address && address.offset == 0 && address.constants.is_empty();
             return Ok(if lone {
                 Expression::Name(address.name)
             } else {
@@ -101,7 +102,9 @@ impl Parser {
         if address.name.eq_ignore_ascii_case("CNST") {
             let negative = self.take('-');
             return match self.token() {
-                Some(Token::Number(value)) => Ok(Expression::Constant(if negative { value.wrapping_neg() } else { value })),
+                Some(Token::Number(value)) => {
+                    Ok(Expression::Constant(if negative { value.wrapping_neg() } else { value }))
+                }
                 Some(Token::Name(name)) if !negative => Ok(Expression::Name(name)),
                 _ => Err(self.unexpected_before()),
             };
@@ -274,5 +277,7 @@ pub(super) fn number(text: &str) -> Option<i64> {
     if !digits.starts_with(|c: char| c.is_ascii_hexdigit()) {
         return None;
     }
-    i64::from_str_radix(digits, radix).ok().or_else(|| u64::from_str_radix(digits, radix).ok().map(|n| n as i64))
+    i64::from_str_radix(digits, radix)
+        .ok()
+        .or_else(|| u64::from_str_radix(digits, radix).ok().map(|n| n as i64))
 }

@@ -130,7 +130,9 @@ impl fmt::Display for ValueError {
             }
             ValueError::Real(text) => write!(f, "`{text}` is not a real number; say for instance 1.5"),
             ValueError::Range(text, low, high) => write!(f, "{text} does not fit: {low} to {high}"),
-            ValueError::TextLength(given, most) => write!(f, "the text has {given} characters, the buffer holds {most}"),
+            ValueError::TextLength(given, most) => {
+                write!(f, "the text has {given} characters, the buffer holds {most}")
+            }
             ValueError::Character(c) => write!(f, "the character `{c}` does not fit into a byte"),
             ValueError::ReadOnly => write!(f, "this cannot be changed"),
         }
@@ -200,7 +202,10 @@ impl Target {
             }
             Target::Cell { addr, width } => {
                 let bytes = integer_value(text, width)?.to_le_bytes();
-                Ok(Assignment::Memory { addr, bytes: bytes.iter().take(width.bytes() as usize).copied().collect() })
+                Ok(Assignment::Memory {
+                    addr,
+                    bytes: bytes.iter().take(width.bytes() as usize).copied().collect(),
+                })
             }
             Target::Text { addr, len } => Ok(Assignment::Memory { addr, bytes: text_value(text, len)? }),
             Target::Register(register) => {
@@ -255,7 +260,8 @@ fn integer_value(text: &str, width: Width) -> Result<u64, ValueError> {
         Some(digits) => (true, digits.trim_start()),
         None => (false, text.strip_prefix('+').unwrap_or(text)),
     };
-    let mut characters = digits.strip_prefix('\'').and_then(|t| t.strip_suffix('\'')).into_iter().flat_map(str::chars);
+    let mut characters =
+        digits.strip_prefix('\'').and_then(|t| t.strip_suffix('\'')).into_iter().flat_map(str::chars);
     let magnitude = match (characters.next(), characters.next()) {
         (Some(c), None) if (c as u32) < 256 => u64::from(c as u32),
         (None, _) => number(digits).ok_or_else(not_a_number)? as u64,

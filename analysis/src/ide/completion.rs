@@ -60,12 +60,15 @@ pub enum CompletionKind {
     Label,
 }
 
+/// Longest answer. One of this length may lack words: ask again when another letter is typed.
+pub const MOST_COMPLETIONS: usize = 1_000;
+
 /// Longest list whose entries carry their help page.
 const WITH_PAGES: usize = 40;
 
 /// Words that may stand at a position and hold the letters typed so far, best first: at the place of the operation
 /// the instructions allowed there, in an operand the names of the kinds it takes, behind the dot of an address
-/// bits, behind the dot of a type cells. Nothing in comments, texts and numbers.
+/// bits, behind the dot of a type cells. Nothing in comments, texts and numbers. At most [`MOST_COMPLETIONS`].
 #[must_use]
 pub fn completion(
     db: &dyn Db,
@@ -121,7 +124,8 @@ impl List {
     }
 
     fn finish(mut self, request: &Request<'_>, language: Language) -> Vec<Completion> {
-        self.found.sort_by(|a, b| (a.0, a.1, &a.2.label).cmp(&(b.0, b.1, &b.2.label)));
+        self.found.sort_by_cached_key(|(rank, fit, it)| (*rank, *fit, it.label.to_ascii_uppercase()));
+        self.found.truncate(MOST_COMPLETIONS);
         let pages = self.found.len() <= WITH_PAGES;
         let completion = |(_, _, candidate): (u8, u8, Candidate)| Completion {
             documentation: if pages { candidate.page.text(request, language) } else { None },

@@ -6,11 +6,11 @@ use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section, SourceFile};
 use crate::location::{Location, Position, Span};
 use crate::semantics::declarations::{IncludeLine, What};
-use crate::semantics::layout::line_key;
 use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::layout::line_key;
 use crate::semantics::reference::Referent;
-use crate::semantics::scope::Symbol;
-use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name};
+use crate::semantics::scope::{Symbol, SymbolKind};
+use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name, SIGNIFICANT};
 
 /// A position with what surrounds it.
 pub(super) struct Cursor<'db> {
@@ -52,8 +52,14 @@ pub(super) enum Meaning {
 
 impl<'db> Cursor<'db> {
     /// `None` past the last line.
-    pub(super) fn at(db: &'db dyn Db, project: Project, file: SourceFile, at: Position) -> Option<Cursor<'db>> {
-        let owner = |section: &Section<'db>| Some((*section, section.lines(db).binary_search(&at.line).ok()?));
+    pub(super) fn at(
+        db: &'db dyn Db,
+        project: Project,
+        file: SourceFile,
+        at: Position,
+    ) -> Option<Cursor<'db>> {
+        let owner =
+            |section: &Section<'db>| Some((*section, section.lines(db).binary_search(&at.line).ok()?));
         let (section, own) = database::sections(db, file).iter().find_map(owner)?;
         let line = database::section_lines(db, section).lines.get(own)?;
         Some(Cursor { db, project, section, own: own as u32, line, at })
@@ -81,8 +87,10 @@ impl<'db> Cursor<'db> {
         match word {
             Word::Include(include) => self.included(include),
             Word::Label(name) => self.named(name),
-            Word::Operation(name) => self.operation(name).or_else(|| self.named(name)),
-            Word::Operand(name) => self.named(name).or_else(|| operand_word(name)).or_else(|| self.looked_up(name)),
+            Word::Operation(name) => operation(name).or_else(|| self.named(name)),
+            Word::Operand(name) => {
+                self.named(name).or_else(|| operand_word(name)).or_else(|| self.looked_up(name))
+            }
         }
     }
 
@@ -94,13 +102,6 @@ impl<'db> Cursor<'db> {
     /// The file whose local names are visible here.
     pub(super) fn local_file(&self) -> Option<u8> {
         local_file(self.db, self.project, self.section)
-    }
-
-    fn operation(&self, name: &Name) -> Option<Meaning> {
-        let entry = catalogue::entry(&name.text)?;
-        let stands_alone =
-            !matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure);
-        stands_alone.then_some(Meaning::Entry(entry))
     }
 
     /// What the analysis says, else the declaration at this place.
@@ -115,7 +116,9 @@ impl<'db> Cursor<'db> {
             });
         }
         let declarations = database::section_declarations(self.db, self.section);
-        let declares = |d: &&crate::semantics::declarations::Declared| d.line == self.own && d.name.columns == name.columns;
+        let declares = |d: &&crate::semantics::declarations::Declared| {
+            d.line == self.own && d.name.columns == name.columns
+        };
         let declared = declarations.names.iter().find(declares)?;
         if declared.what == What::Label {
             return Some(Meaning::Label(Arc::from(name.key())));
@@ -156,6 +159,14 @@ impl<'db> Word<'db> {
             Word::Include(include) => &include.columns,
         }
     }
+}
+
+/// An instruction, declaration, directive or word of structure.
+fn operation(name: &Name) -> Option<Meaning> {
+    let entry = catalogue::entry(&name.text)?;
+    let operand_only =
+        matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure);
+    (!operand_only).then_some(Meaning::Entry(entry))
 }
 
 /// Prefixes, keywords and reserved procedure names.
@@ -212,9 +223,15 @@ pub(super) fn line_of<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -
     if key.scope != SymbolScope::Global {
         return None;
     }
-    let mechanisms = &database::scope(db, project).mechanisms;
-    let is_line = |mechanism: &str| line_key(mechanism) == *key.name;
-    mechanisms.iter().map(|routine| &routine.key).find(|mechanism| is_line(&mechanism.name))
+    let scope = database::scope(db, project);
+    let key_of = |name: &str| Some(&scope.globals.get(name).filter(|s| s.kind == SymbolKind::Mechanism)?.key);
+    if let Some(mechanism) = key.name.strip_suffix("_LINE").and_then(key_of) {
+        return Some(mechanism);
+    }
+    // The name of a long mechanism leaves no room for the whole ending.
+    let cut = key.name.len() >= SIGNIFICANT;
+    let mut keys = scope.mechanisms.iter().map(|routine| &routine.key).filter(|_| cut);
+    keys.find(|mechanism| line_key(&mechanism.name) == *key.name)
 }
 
 /// A symbol by its key.

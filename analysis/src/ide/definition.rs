@@ -62,7 +62,7 @@ MODULE_MAIN_END
 DATA
 PORT: DFM ,In_Run
 DATA_END
-"), @"");
+"), @"spindle.plc:2 PORT: DFM ,«In_Run»");
     }
 
     #[test]
@@ -73,8 +73,8 @@ DATA_END
                  //- other.plc\nDATA\nDATA_END\nDATA_LOCAL\nX: DS 2\nDATA_LOCAL_END\nMODULE_MAIN\n LOD {second}\nMODULE_MAIN_END\n"
             )
         };
-        insta::assert_snapshot!(check(&text("X<CURSOR>", "X")), @"");
-        insta::assert_snapshot!(check(&text("X", "X<CURSOR>")), @"");
+        insta::assert_snapshot!(check(&text("X<CURSOR>", "X")), @"main.plc:4 «X»: DS 1");
+        insta::assert_snapshot!(check(&text("X", "X<CURSOR>")), @"other.plc:4 «X»: DS 2");
     }
 
     #[test]
@@ -85,10 +85,10 @@ DATA_END
                  PROC_BEGIN COUNT\nPROC_END COUNT\nMODULE_MAIN_END\n"
             )
         };
-        insta::assert_snapshot!(check(&text("MECH_INIT CL<CURSOR>AMP")), @"");
-        insta::assert_snapshot!(check(&text("LOD CLAMP_<CURSOR>LINE")), @"");
-        insta::assert_snapshot!(check(&text("PROC_CALL CO<CURSOR>UNT")), @"");
-        insta::assert_snapshot!(check(&text("LOD CNST.LIM<CURSOR>IT")), @"");
+        insta::assert_snapshot!(check(&text("MECH_INIT CL<CURSOR>AMP")), @"main.plc:4 MECH_BEGIN «CLAMP»");
+        insta::assert_snapshot!(check(&text("LOD CLAMP_<CURSOR>LINE")), @"main.plc:4 MECH_BEGIN «CLAMP»");
+        insta::assert_snapshot!(check(&text("PROC_CALL CO<CURSOR>UNT")), @"main.plc:7 PROC_BEGIN «COUNT»");
+        insta::assert_snapshot!(check(&text("LOD CNST.LIM<CURSOR>IT")), @"main.plc:1 EQUI «LIMIT»,5");
     }
 
     #[test]
@@ -101,7 +101,7 @@ NEXT: LDR X
 NEXT: EX
  MECH_END M
 MODULE_MAIN_END
-"), @"");
+"), @"main.plc:3 «NEXT»: LDR X");
     }
 
     #[test]
@@ -112,18 +112,34 @@ MODULE_MAIN_END
                  //- lib/limits.inc\nEQUI TOP,5\n"
             )
         };
-        insta::assert_snapshot!(check(&text("lim<CURSOR>its", "TOP")), @"");
-        insta::assert_snapshot!(check(&text("limits", "T<CURSOR>OP")), @"");
+        insta::assert_snapshot!(check(&text("lim<CURSOR>its", "TOP")), @"lib/limits.inc:1 «»EQUI TOP,5");
+        insta::assert_snapshot!(check(&text("limits", "T<CURSOR>OP")), @"lib/limits.inc:1 EQUI «TOP»,5");
     }
 
     #[test]
     fn a_name_declared_twice_has_both_places() {
-        insta::assert_snapshot!(check("DATA\nX: DS 1\nX: DS 2\nDATA_END\nMODULE_MAIN\n LOD X<CURSOR>\nMODULE_MAIN_END\n"), @"");
+        insta::assert_snapshot!(check("DATA\nX: DS 1\nX: DS 2\nDATA_END\nMODULE_MAIN\n LOD X<CURSOR>\nMODULE_MAIN_END\n"), @"
+        main.plc:2 «X»: DS 1
+        main.plc:3 «X»: DS 2
+        ");
     }
 
     #[test]
     fn words_of_the_language_have_none() {
         assert_eq!(check("MODULE_MAIN\n LD<CURSOR>R P1IN\nMODULE_MAIN_END\n"), "");
         assert_eq!(check("MODULE_MAIN\n LOD P1<CURSOR>IN\nMODULE_MAIN_END\n"), "");
+    }
+
+    #[test]
+    fn the_line_cell_of_a_mechanism_with_a_long_name() {
+        // 29 letters and `_LINE`, of which 31 count.
+        insta::assert_snapshot!(check("\
+MODULE_MAIN
+ LOD ABCDEFGHIJKLMNOPQRSTUVWXYZABC_L<CURSOR>INE
+ MECH_BEGIN ABCDEFGHIJKLMNOPQRSTUVWXYZABC
+ EX
+ MECH_END ABCDEFGHIJKLMNOPQRSTUVWXYZABC
+MODULE_MAIN_END
+"), @"main.plc:3 MECH_BEGIN «ABCDEFGHIJKLMNOPQRSTUVWXYZABC»");
     }
 }

@@ -46,7 +46,8 @@ fn outline(db: &dyn Db, section: Section<'_>) -> Option<DocumentSymbol> {
         SectionKind::Data | SectionKind::DataLocal => (SymbolTag::Data, operation),
         SectionKind::Module(_) => (SymbolTag::Module, operation),
         named => {
-            let name = database::section_declarations(db, section).names.first().filter(|d| d.what != What::Label);
+            let name =
+                database::section_declarations(db, section).names.first().filter(|d| d.what != What::Label);
             let kind = match named {
                 SectionKind::Mechanism => SymbolTag::Mechanism,
                 SectionKind::Procedure => SymbolTag::Procedure,
@@ -58,7 +59,8 @@ fn outline(db: &dyn Db, section: Section<'_>) -> Option<DocumentSymbol> {
     let children = contents(db, section);
     let start = Position { line: *lines.first()?, column: 0 };
     let last_own = lines.len() - 1;
-    let last = Position { line: lines[last_own], column: database::section_lines(db, section).lines[last_own].len };
+    let last =
+        Position { line: lines[last_own], column: database::section_lines(db, section).lines[last_own].len };
     let end = children.iter().map(|child| child.span.end).fold(last, Position::max);
     Some(DocumentSymbol {
         name: selection.text.clone(),
@@ -147,7 +149,8 @@ mod tests {
         assert!(start <= symbol.selection.start && symbol.selection.end <= end, "{symbol:?}");
         let lines = format!("{}:{}-{}:{}", start.line + 1, start.column, end.line + 1, end.column);
         let indent = "  ".repeat(depth);
-        writeln!(out, "{indent}{:?} {} {} [{lines}]", symbol.kind, symbol.name, symbol.detail).expect("a String");
+        writeln!(out, "{indent}{:?} {} {} [{lines}]", symbol.kind, symbol.name, symbol.detail)
+            .expect("a String");
         for child in &symbol.children {
             assert!(start <= child.span.start && child.span.end <= end, "{child:?} in {symbol:?}");
             write(child, depth + 1, out);
@@ -179,12 +182,34 @@ L: LDR RUN
  PROC_BEGIN Count1
  PROC_END Count1
 MODULE_MAIN_END
-"), @"");
+"), @"
+        Constant LIMIT 10 [1:5-1:10]
+        Macro Swap  [2:0-3:11]
+        Data DATA  [4:0-12:8]
+          Cell COUNT  [5:1-5:12]
+          Cell STATE  [6:1-6:22]
+            Bit RUN d0 [6:12-6:15]
+            Bit FAULT d2 [6:17-6:22]
+          Bit LOOSE d0 [7:12-7:17]
+          Area TABLE  [8:1-8:13]
+          Text NOTE 9 [9:1-9:17]
+          Cell ALONE  [10:1-11:18]
+            Bit BEHIND d0 [11:12-11:18]
+        Module MODULE_MAIN  [13:0-22:15]
+          Mechanism Clamp  [15:0-19:15]
+            Data DATA_LOCAL  [16:0-18:16]
+              Cell INNER  [17:3-17:14]
+          Procedure Count1  [20:0-21:16]
+        ");
     }
 
     #[test]
     fn sections_without_a_name_or_an_end_are_listed() {
-        insta::assert_snapshot!(check("MODULE_MAIN\n MECH_BEGIN\n  EX\n MECH_BEGIN B\n  EX"), @"");
+        insta::assert_snapshot!(check("MODULE_MAIN\n MECH_BEGIN\n  EX\n MECH_BEGIN B\n  EX"), @"
+        Module MODULE_MAIN  [1:0-5:4]
+          Mechanism MECH_BEGIN  [2:0-3:4]
+          Mechanism B  [4:0-5:4]
+        ");
     }
 
     #[test]

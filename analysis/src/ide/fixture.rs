@@ -58,7 +58,8 @@ pub(super) fn fixture(text: &str) -> Fixture {
 }
 
 fn manifest(order: &[&str]) -> String {
-    let mut programs = order.iter().filter(|path| path.ends_with(".plc"));
+    let mut programs =
+        order.iter().filter(|path| path.rsplit_once('.').is_some_and(|(_, ending)| ending == "plc"));
     let mut text = String::from("[project]\nname = \"fixture\"\n");
     let main = programs.next().expect("a program file");
     let rest: Vec<_> = programs.collect();

@@ -24,7 +24,13 @@ pub struct Hover {
 /// For instructions, keywords and predefined symbols their page of the catalogue; for the project's own names the
 /// line that declares them with its comment, what they are, and where they lie.
 #[must_use]
-pub fn hover(db: &dyn Db, project: Project, file: SourceFile, at: Position, language: Language) -> Option<Hover> {
+pub fn hover(
+    db: &dyn Db,
+    project: Project,
+    file: SourceFile,
+    at: Position,
+    language: Language,
+) -> Option<Hover> {
     let cursor = Cursor::at(db, project, file, at)?;
     let word = cursor.word()?;
     let markdown = match cursor.meaning(word)? {
@@ -122,12 +128,15 @@ fn source_line(db: &dyn Db, section: Section<'_>, own: u32) -> Option<CodeAndCom
 
 /// Where a symbol lies in PLC memory.
 fn address(db: &dyn Db, project: Project, key: &SymbolKey) -> Option<String> {
-    let placed = database::layout(db, project).place(key)?;
+    let layout = database::layout(db, project);
+    let placed = layout.place(key)?;
     let addr = describe::hexadecimal(u64::from(placed.addr));
-    Some(match placed.kind {
-        PlacedKind::Bit(bit) => format!("{addr}.{bit}"),
-        _ => addr,
-    })
+    let bit = match placed.kind {
+        PlacedKind::Bit(bit) => Some(bit),
+        PlacedKind::Sequence(index) => layout.sequences.get(usize::from(index)).map(|cells| cells.active_bit),
+        PlacedKind::Cell(_) | PlacedKind::Area | PlacedKind::Text(_) => None,
+    };
+    Some(bit.map_or_else(|| addr.clone(), |bit| format!("{addr}.{bit}")))
 }
 
 #[cfg(test)]
@@ -154,7 +163,9 @@ mod tests {
 
     #[test]
     fn a_prefix_and_a_keyword_show_their_page() {
-        for (operand, name) in [("WO<CURSOR>RD.X", "WORD"), ("CNTS<CURSOR>.5", "CNST"), ("X[<CURSOR>BX]", "BX")] {
+        for (operand, name) in
+            [("WO<CURSOR>RD.X", "WORD"), ("CNTS<CURSOR>.5", "CNST"), ("X[<CURSOR>BX]", "BX")]
+        {
             let text = format!("DATA\nX: DS 4\nDATA_END\nMODULE_MAIN\n LOD {operand}\nMODULE_MAIN_END\n");
             let it = fixture(&text);
             let hover = it.analysis.hover(&it.file, it.at, Language::En).expect("not cancelled").expect(name);
@@ -175,7 +186,16 @@ mod tests {
         insta::assert_snapshot!(check(
             "DATA\nFIRST: DS 1\nSpeed:  DS 2   ;--- rev/min ---\nDATA_END\n\
              MODULE_MAIN\n LOD WORD.spe<CURSOR>ed\nMODULE_MAIN_END\n"
-        ), @"");
+        ), @"
+        main.plc:6 LOD WORD.«speed»
+
+        ```technol
+        Speed:  DS 2
+        ```
+        WORD cell · 8001h · `main.plc`:3
+
+        rev/min ---
+        ");
     }
 
     #[test]
@@ -183,37 +203,94 @@ mod tests {
         insta::assert_snapshot!(check(
             "//- main.plc\nMODULE_MAIN\n LDR -IN_R<CURSOR>UN\nMODULE_MAIN_END\n\
              //- data.plc\nDATA\nINPUTS: DFM ,,IN_RUN,IN_STOP\nDATA_END\n"
-        ), @"");
+        ), @"
+        main.plc:2 LDR -«IN_RUN»
+
+        ```technol
+        INPUTS: DFM ,,IN_RUN,IN_STOP
+        ```
+        bit d2 · 8000h.2 · `data.plc`:2
+        ");
     }
 
     #[test]
     fn a_constant_shows_its_value() {
         insta::assert_snapshot!(check(
             "EQUI LIMIT,1000 ;steps\nEQUI TWICE,LIMIT+LIMIT\nMODULE_MAIN\n LOD CNST.TW<CURSOR>ICE\nMODULE_MAIN_END\n"
-        ), @"");
+        ), @"
+        main.plc:4 LOD CNST.«TWICE»
+
+        ```technol
+        EQUI TWICE,LIMIT+LIMIT
+        ```
+        constant 2000 (7D0h) · `main.plc`:2
+        ");
     }
 
     #[test]
     fn a_mechanism_and_its_line_show_where_it_begins() {
         let text = |operand: &str| {
-            format!("MODULE_MAIN\n LOD {operand}\n MECH_BEGIN Clamp ;close the chuck\n EX\n MECH_END Clamp\nMODULE_MAIN_END\n")
+            format!(
+                "MODULE_MAIN\n LOD {operand}\n MECH_BEGIN Clamp ;close the chuck\n EX\n MECH_END Clamp\nMODULE_MAIN_END\n"
+            )
         };
-        insta::assert_snapshot!(check(&text("CLAMP_L<CURSOR>INE")), @"");
-        insta::assert_snapshot!(check(&text("<CURSOR>CLAMP")), @"");
+        insta::assert_snapshot!(check(&text("CLAMP_L<CURSOR>INE")), @"
+        main.plc:2 LOD «CLAMP_LINE»
+
+        ```technol
+        MECH_BEGIN Clamp
+        ```
+        WORD cell: source line where the mechanism stands, 0 when it is not active · 8005h · `main.plc`:3
+
+        close the chuck
+        ");
+        insta::assert_snapshot!(check(&text("<CURSOR>CLAMP")), @"
+        main.plc:2 LOD «CLAMP»
+
+        ```technol
+        MECH_BEGIN Clamp
+        ```
+        mechanism · 8000h.0 · `main.plc`:3
+
+        close the chuck
+        ");
     }
 
     #[test]
     fn a_text_and_an_area_show_their_length() {
         insta::assert_snapshot!(check("DATA\nNOTE: STR 15,'<CURSOR>on'\nDATA_END\n"), @"nothing");
-        insta::assert_snapshot!(check("DATA\nNO<CURSOR>TE: STR 15,'on'\nDATA_END\n"), @"");
-        insta::assert_snapshot!(check("DATA\nTAB<CURSOR>LE: DS 30\nDATA_END\n"), @"");
+        insta::assert_snapshot!(check("DATA\nNO<CURSOR>TE: STR 15,'on'\nDATA_END\n"), @"
+        main.plc:2 «NOTE»: STR 15,'on'
+
+        ```technol
+        NOTE: STR 15,'on'
+        ```
+        text, 15 characters · 8000h · `main.plc`:2
+        ");
+        insta::assert_snapshot!(check("DATA\nTAB<CURSOR>LE: DS 30\nDATA_END\n"), @"
+        main.plc:2 «TABLE»: DS 30
+
+        ```technol
+        TABLE: DS 30
+        ```
+        area, 30 bytes · 8000h · `main.plc`:2
+        ");
     }
 
     #[test]
     fn a_label_shows_its_line() {
         insta::assert_snapshot!(check(
             "MODULE_MAIN\n JUM EN<CURSOR>D\nEnd: LDR X ;all done\nMODULE_MAIN_END\n"
-        ), @"");
+        ), @"
+        main.plc:2 JUM «END»
+
+        ```technol
+        End: LDR X
+        ```
+        label · `main.plc`:3
+
+        all done
+        ");
     }
 
     #[test]
@@ -233,6 +310,13 @@ mod tests {
     fn a_broken_line_still_knows_its_names() {
         insta::assert_snapshot!(check(
             "DATA\nX: DS 1\nDATA_END\nMODULE_MAIN\n LOD X<CURSOR> )\nMODULE_MAIN_END\n"
-        ), @"");
+        ), @"
+        main.plc:5 LOD «X» )
+
+        ```technol
+        X: DS 1
+        ```
+        BYTE cell · 8000h · `main.plc`:2
+        ");
     }
 }

@@ -16,7 +16,7 @@ mod fixture;
 mod questions;
 mod symbol_tag;
 
-pub use completion::{Completion, CompletionKind, completion};
+pub use completion::{Completion, CompletionKind, MOST_COMPLETIONS, completion};
 pub use definition::definition;
 pub use document_symbols::{DocumentSymbol, document_symbols};
 pub use hover::{Hover, hover};

@@ -44,7 +44,8 @@ pub fn references(
     }
     found.retain(|_, access| include_declaration || *access != ReferenceAccess::Declare);
     let order = file_order(db, project);
-    let mut list: Vec<_> = found.into_iter().map(|(location, access)| Reference { location, access }).collect();
+    let mut list: Vec<_> =
+        found.into_iter().map(|(location, access)| Reference { location, access }).collect();
     list.sort_by_key(|r| order.get(r.location.file.as_str()).copied().unwrap_or(usize::MAX));
     list
 }
@@ -70,7 +71,7 @@ fn declare(locations: Vec<Location>, found: &mut BTreeMap<Location, ReferenceAcc
     found.extend(locations.into_iter().map(|location| (location, ReferenceAccess::Declare)));
 }
 
-fn sections<'db>(db: &'db dyn Db, project: Project) -> impl Iterator<Item = Section<'db>> {
+fn sections(db: &dyn Db, project: Project) -> impl Iterator<Item = Section<'_>> {
     files(db, project).flat_map(move |file| database::sections(db, file).iter().copied())
 }
 
@@ -86,11 +87,13 @@ fn file_order(db: &dyn Db, project: Project) -> BTreeMap<&str, usize> {
 #[cfg(test)]
 mod tests {
     use super::super::fixture::fixture;
+    use super::Reference;
 
     fn check(text: &str, include_declaration: bool) -> String {
         let it = fixture(text);
         let found = it.analysis.references(&it.file, it.at, include_declaration).expect("not cancelled");
-        found.iter().map(|r| format!("{:?} {}", r.access, it.show(&r.location))).collect()
+        let show = |r: &Reference| format!("{:?} {}", r.access, it.show(&r.location));
+        found.iter().map(show).collect()
     }
 
     const TWO_FILES: &str = "\
@@ -118,12 +121,21 @@ MODULE_MAIN_END
 
     #[test]
     fn reads_and_writes_across_files() {
-        insta::assert_snapshot!(check(TWO_FILES, true), @"");
+        insta::assert_snapshot!(check(TWO_FILES, true), @"
+        Declare main.plc:3 STATE: DFM «RUN»,FAULT
+        Read main.plc:6 LDR «RUN»
+        Write a.plc:4 FL 1,«run»,FAULT
+        Read a.plc:5 LDR COUNT.«RUN»
+        ");
     }
 
     #[test]
     fn the_declaration_is_left_out_on_request() {
-        insta::assert_snapshot!(check(&TWO_FILES.replace("<CURSOR>", "").replacen("COUNT", "<CURSOR>COUNT", 1), false), @"");
+        insta::assert_snapshot!(check(&TWO_FILES.replace("<CURSOR>", "").replacen("COUNT", "<CURSOR>COUNT", 1), false), @"
+        Read main.plc:9 LOD «COUNT»
+        Write main.plc:11 STO «COUNT»
+        Read a.plc:5 LDR «COUNT».RUN
+        ");
     }
 
     #[test]
@@ -136,7 +148,12 @@ MODULE_MAIN
  EX
  MECH_END clamp
 MODULE_MAIN_END
-", true), @"");
+", true), @"
+        Call main.plc:2 MECH_INIT «CLAMP»
+        Write main.plc:3 FL 1,«CLAMP»
+        Declare main.plc:4 MECH_BEGIN «Clamp»
+        Call main.plc:6 MECH_END «clamp»
+        ");
     }
 
     #[test]
@@ -150,11 +167,14 @@ NEXT<CURSOR>: LDR X
 NEXT: EX
  MECH_END M
 MODULE_MAIN_END
-", true), @"");
+", true), @"
+        Jump main.plc:2 JUM «NEXT»
+        Declare main.plc:3 «NEXT»: LDR X
+        ");
     }
 
     #[test]
     fn predefined_symbols_have_uses_too() {
-        insta::assert_snapshot!(check("MODULE_MAIN\n LOD P1<CURSOR>IN\n STO P0OUT\nMODULE_MAIN_END\n", true), @"");
+        insta::assert_snapshot!(check("MODULE_MAIN\n LOD P1<CURSOR>IN\n STO P0OUT\nMODULE_MAIN_END\n", true), @"Read main.plc:2 LOD «P1IN»");
     }
 }

@@ -38,14 +38,15 @@ pub fn workspace_symbols(db: &dyn Db, project: Project, query: &str) -> Vec<Work
         }
     }
     found.sort_by(|a, b| (a.0, &a.2.name.text).cmp(&(b.0, &b.2.name.text)));
-    let symbol = |(_, section, declared, kind): (_, Section<'_>, &crate::semantics::declarations::Declared, _)| {
-        Some(WorkspaceSymbol {
-            name: declared.name.text.clone(),
-            kind,
-            container: container(db, section, &declared.what),
-            location: cursor::location(db, section, declared.line, &declared.name.columns)?,
-        })
-    };
+    let symbol =
+        |(_, section, declared, kind): (_, Section<'_>, &crate::semantics::declarations::Declared, _)| {
+            Some(WorkspaceSymbol {
+                name: declared.name.text.clone(),
+                kind,
+                container: container(db, section, &declared.what),
+                location: cursor::location(db, section, declared.line, &declared.name.columns)?,
+            })
+        };
     found.into_iter().filter_map(symbol).take(MOST).collect()
 }
 
@@ -72,7 +73,9 @@ fn container(db: &dyn Db, section: Section<'_>, what: &What) -> String {
         {
             section.outer(db).last().map(|kind| keyword(*kind))
         }
-        SectionKind::Mechanism | SectionKind::Procedure | SectionKind::Macro => Some(section.name(db).to_string()),
+        SectionKind::Mechanism | SectionKind::Procedure | SectionKind::Macro => {
+            Some(section.name(db).to_string())
+        }
         SectionKind::File => None,
         kind => Some(keyword(kind)),
     };
@@ -125,18 +128,25 @@ EQUI MAX_SPIN,4000
     fn check(query: &str) -> String {
         let it = fixture(PROJECT);
         let found = it.analysis.workspace_symbols(query).expect("not cancelled");
-        let show = |s: &WorkspaceSymbol| format!("{:?} {} in {}: {}", s.kind, s.name, s.container, it.show(&s.location));
+        let show = |s: &WorkspaceSymbol| {
+            format!("{:?} {} in {}: {}", s.kind, s.name, s.container, it.show(&s.location))
+        };
         found.iter().map(show).collect()
     }
 
     #[test]
     fn names_that_contain_the_letters_best_first() {
-        insta::assert_snapshot!(check("spin"), @"");
+        insta::assert_snapshot!(check("spin"), @"
+        Bit SPIN in DATA: main.plc:3 SPINDLE_ON: DFM START,«SPIN»
+        Cell SPINDLE_ON in DATA: main.plc:3 «SPINDLE_ON»: DFM START,SPIN
+        Mechanism Spin_Up in MODULE_MAIN: spindle.plc:4 MECH_BEGIN «Spin_Up»
+        Constant MAX_SPIN in limits.inc: limits.inc:1 EQUI «MAX_SPIN»,4000
+        ");
     }
 
     #[test]
     fn letters_may_have_others_between_them() {
-        insta::assert_snapshot!(check("sU"), @"");
+        insta::assert_snapshot!(check("sU"), @"Mechanism Spin_Up in MODULE_MAIN: spindle.plc:4 MECH_BEGIN «Spin_Up»");
     }
 
     #[test]

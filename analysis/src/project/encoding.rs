@@ -62,7 +62,11 @@ const MARK: &[u8] = b"\xEF\xBB\xBF";
 pub fn decode(bytes: &[u8], declared: Option<Encoding>) -> Decoded {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         let text = String::from_utf8_lossy(bytes).into_owned();
-        return Decoded { text, encoding: Encoding::Utf8, problem: Some((0, "the file is UTF-16; save it as UTF-8")) };
+        return Decoded {
+            text,
+            encoding: Encoding::Utf8,
+            problem: Some((0, "the file is UTF-16; save it as UTF-8")),
+        };
     }
     match declared {
         None => match std::str::from_utf8(bytes) {
@@ -84,7 +88,7 @@ pub fn decode(bytes: &[u8], declared: Option<Encoding>) -> Decoded {
             // The five bytes without a character would become invisible controls.
             let undefined = |byte: &u8| matches!(byte, 0x81 | 0x83 | 0x88 | 0x90 | 0x98);
             let problem =
-                bytes.iter().position(|b| undefined(b)).map(|at| (at, "this byte is no Windows-1250 character"));
+                bytes.iter().position(undefined).map(|at| (at, "this byte is no Windows-1250 character"));
             let text = WINDOWS_1250.decode_without_bom_handling(bytes).0;
             let text = if problem.is_some() {
                 Cow::Owned(text.replace(|c: char| ('\u{80}'..='\u{9F}').contains(&c), "\u{FFFD}"))
@@ -135,7 +139,11 @@ fn guess(bytes: &[u8]) -> Encoding {
         let weight = |byte: &u8| if small.contains(byte) { 2 } else { usize::from(capital.contains(byte)) };
         bytes.iter().filter(|byte| **byte >= 0x80).map(weight).sum()
     };
-    if score(Encoding::Cp852) > score(Encoding::Windows1250) { Encoding::Cp852 } else { Encoding::Windows1250 }
+    if score(Encoding::Cp852) > score(Encoding::Windows1250) {
+        Encoding::Cp852
+    } else {
+        Encoding::Windows1250
+    }
 }
 
 #[cfg(test)]

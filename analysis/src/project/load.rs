@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::include::{IncludeTarget, include_names};
 use super::manifest::{EncodingChoice, Manifest, Spanned, parse_manifest};
-use super::path::{folder, is_absolute, project_path, readable, slashes};
+use super::path::{folder, has_extension, is_absolute, project_path, readable, slashes, whole};
 use super::{Encoding, FileReader, LoadedFile, LoadedProject, MANIFEST, decode};
 use crate::diagnostics::rules::project as rules;
 use crate::diagnostics::{Diagnostic, Rule};
@@ -17,15 +17,14 @@ use crate::location::{Location, Span};
 pub fn load(root_or_file: &str, reader: &dyn FileReader) -> LoadedProject {
     let given = slashes(root_or_file);
     let given = if given == "/" { given.as_str() } else { given.trim_end_matches('/') };
-    let lower = given.to_ascii_lowercase();
     let mut project = LoadedProject::default();
-    if lower.ends_with(".plc") || lower.ends_with(".inc") {
+    if has_extension(given, "plc") || has_extension(given, "inc") {
         project.root = folder(given).to_string();
         let name = given.rsplit('/').next().unwrap_or(given).to_string();
         project.manifest.name = name[..name.len() - 4].to_string();
         project.manifest.main = Spanned { text: name, span: 0..0 };
     } else {
-        let (root, name) = if lower.ends_with(".toml") {
+        let (root, name) = if has_extension(given, "toml") {
             (folder(given), given.rsplit('/').next().unwrap_or(given))
         } else {
             (if given == "." { "" } else { given }, MANIFEST)
@@ -46,10 +45,10 @@ pub fn discover(file: &str, reader: &dyn FileReader) -> String {
     loop {
         if let Ok(bytes) = reader.read(&readable(at, MANIFEST)) {
             let (manifest, _) = parse_manifest(&decode(&bytes, None).text);
-            let own = project_path(at, &file);
+            let own = whole("", &file);
             let mut listed = std::iter::once(&manifest.main).chain(&manifest.files);
-            let is_inc = own.to_ascii_lowercase().ends_with(".inc");
-            if is_inc || listed.any(|entry| project_path(at, &slashes(&entry.text)) == own) {
+            let is_inc = has_extension(&own, "inc");
+            if is_inc || listed.any(|entry| whole(at, &slashes(&entry.text)) == own) {
                 return if at.is_empty() { ".".to_string() } else { at.to_string() };
             }
         }
@@ -83,7 +82,9 @@ fn read_manifest(project: &mut LoadedProject, name: &str, reader: &dyn FileReade
             // A folder with a main.plc and nothing else is a project too.
             if reader.read(&readable(&project.root, &project.manifest.main.text)).is_err() {
                 let message = format!("{name} cannot be read ({why}); create it, or name a .plc file");
-                project.problems.push((name.to_string(), problem(&rules::MISSING_FILE, Span::default(), message)));
+                project
+                    .problems
+                    .push((name.to_string(), problem(&rules::MISSING_FILE, Span::default(), message)));
             }
         }
     }
@@ -106,7 +107,12 @@ struct Loader<'a> {
 }
 
 impl Loader<'_> {
-    fn manifest_problem(&mut self, rule: &'static Rule, entry: &Spanned, message: String) -> Option<&mut Diagnostic> {
+    fn manifest_problem(
+        &mut self,
+        rule: &'static Rule,
+        entry: &Spanned,
+        message: String,
+    ) -> Option<&mut Diagnostic> {
         let (path, span) = match &self.project.manifest_file {
             Some((path, text)) => (path.clone(), Span::of_bytes(text, entry.span.clone())),
             None => (entry.text.clone(), Span::default()),
@@ -221,7 +227,10 @@ impl Loader<'_> {
                 return (IncludeTarget::Cyclic(circle.join(" → ")), None);
             }
             if self.project.files.iter().any(|file| file.path == path) {
-                return (IncludeTarget::Missing(format!("{path} is a program file of the project already")), None);
+                return (
+                    IncludeTarget::Missing(format!("{path} is a program file of the project already")),
+                    None,
+                );
             }
             if self.project.included.iter().any(|file| file.path == path) {
                 return (IncludeTarget::File(path), None);
@@ -248,13 +257,16 @@ impl Loader<'_> {
         let under = |dir: &str| if dir.is_empty() { name.clone() } else { format!("{dir}/{name}") };
         if quoted {
             let Some(system) = &manifest.system_dir else {
-                return Err(format!("'{name}' is searched in the system folder; set `system-dir` in technol.toml"));
+                return Err(format!(
+                    "'{name}' is searched in the system folder; set `system-dir` in technol.toml"
+                ));
             };
             return Ok(vec![under(slashes(&system.text).trim_end_matches('/'))]);
         }
         let main = slashes(&manifest.main.text);
         let mut places = vec![under(folder(&main))];
-        places.extend(manifest.include_dirs.iter().map(|dir| under(slashes(&dir.text).trim_end_matches('/'))));
+        places
+            .extend(manifest.include_dirs.iter().map(|dir| under(slashes(&dir.text).trim_end_matches('/'))));
         Ok(places)
     }
 }

@@ -94,14 +94,22 @@ pub fn parse_manifest(text: &str) -> (Manifest, Vec<ManifestError>) {
         let name = key.get_ref().as_ref();
         let DeValue::Table(table) = value.get_ref() else {
             let known = ["project", "machine", "target", "debug", "lints"].contains(&name);
-            let message =
-                if known { format!("{name} must be a table: [{name}]") } else { unknown_key(name, "", TABLES) };
+            let message = if known {
+                format!("{name} must be a table: [{name}]")
+            } else {
+                unknown_key(name, "", TABLES)
+            };
             let rule = if known { &rules::WRONG_VALUE } else { &rules::UNKNOWN_KEY };
             reader.error(rule, if known { value.span() } else { key.span() }, message);
             continue;
         };
         for (key, value) in table {
-            let entry = Entry { key: key.get_ref().as_ref(), key_span: key.span(), value: value.get_ref(), span: value.span() };
+            let entry = Entry {
+                key: key.get_ref().as_ref(),
+                key_span: key.span(),
+                value: value.get_ref(),
+                span: value.span(),
+            };
             match name {
                 "project" => reader.project(&entry),
                 "machine" => reader.machine(&entry),
@@ -114,6 +122,10 @@ pub fn parse_manifest(text: &str) -> (Manifest, Vec<ManifestError>) {
         if !TABLES.contains(&name) {
             reader.error(&rules::UNKNOWN_KEY, key.span(), unknown_key(name, "", TABLES));
         }
+    }
+    // Behind a syntax error keys land in the wrong tables: only the error itself is certain.
+    if !errors.is_empty() {
+        reader.errors.truncate(1);
     }
     reader.errors.sort_by_key(|error| error.range.start);
     (reader.manifest, reader.errors)
@@ -177,7 +189,11 @@ impl Reader {
             "system-dir" => self.manifest.system_dir = self.text(entry),
             "encoding" => self.encoding(entry),
             other => {
-                self.error(&rules::UNKNOWN_KEY, entry.key_span.clone(), unknown_key(other, "project", PROJECT));
+                self.error(
+                    &rules::UNKNOWN_KEY,
+                    entry.key_span.clone(),
+                    unknown_key(other, "project", PROJECT),
+                );
             }
         }
     }
@@ -190,7 +206,10 @@ impl Reader {
             "windows-1250" => EncodingChoice::Fixed(Encoding::Windows1250),
             "cp852" => EncodingChoice::Fixed(Encoding::Cp852),
             _ => {
-                let message = format!("{} is no encoding known here; use auto, utf-8, windows-1250 or cp852", name.text);
+                let message = format!(
+                    "{} is no encoding known here; use auto, utf-8, windows-1250 or cp852",
+                    name.text
+                );
                 self.error(&rules::WRONG_VALUE, name.span, message);
                 return;
             }
@@ -201,23 +220,29 @@ impl Reader {
         if entry.key == "file" {
             self.manifest.machine = self.text(entry);
         } else {
-            self.error(&rules::UNKNOWN_KEY, entry.key_span.clone(), unknown_key(entry.key, "machine", &["file"]));
+            self.error(
+                &rules::UNKNOWN_KEY,
+                entry.key_span.clone(),
+                unknown_key(entry.key, "machine", &["file"]),
+            );
         }
     }
 
     fn target(&mut self, entry: &Entry<'_>) {
         if entry.key != "address" {
-            self.error(&rules::UNKNOWN_KEY, entry.key_span.clone(), unknown_key(entry.key, "target", &["address"]));
+            self.error(
+                &rules::UNKNOWN_KEY,
+                entry.key_span.clone(),
+                unknown_key(entry.key, "target", &["address"]),
+            );
             return;
         }
         let Some(address) = self.text(entry) else { return };
         if is_address(&address.text) {
             self.manifest.target = address.text;
         } else {
-            let message = format!(
-                "{} is no target; use embedded, tcp:HOST:PORT or serial:DEVICE[@BAUD]",
-                address.text
-            );
+            let message =
+                format!("{} is no target; use embedded, tcp:HOST:PORT or serial:DEVICE[@BAUD]", address.text);
             self.error(&rules::WRONG_VALUE, address.span, message);
         }
     }
@@ -226,7 +251,11 @@ impl Reader {
         match (entry.key, entry.value) {
             ("everywhere", DeValue::Boolean(value)) => self.manifest.debug_everywhere = *value,
             ("everywhere", _) => {
-                self.error(&rules::WRONG_VALUE, entry.span.clone(), "everywhere must be true or false".to_string());
+                self.error(
+                    &rules::WRONG_VALUE,
+                    entry.span.clone(),
+                    "everywhere must be true or false".to_string(),
+                );
             }
             (other, _) => {
                 let message = unknown_key(other, "debug", &["everywhere"]);
@@ -254,7 +283,8 @@ impl Reader {
             }
         };
         if found.fixed && severity != Some(Severity::Error) {
-            let message = format!("{} is an error that no program can be built with; it stays one", found.code);
+            let message =
+                format!("{} is an error that no program can be built with; it stays one", found.code);
             self.error(&rules::UNKNOWN_LINT, level.span, message);
             return;
         }
@@ -281,7 +311,7 @@ impl Reader {
             return Vec::new();
         };
         let mut texts = Vec::new();
-        for item in items.iter() {
+        for item in items {
             let entry = Entry {
                 key: entry.key,
                 key_span: entry.key_span.clone(),
@@ -299,7 +329,9 @@ fn is_address(text: &str) -> bool {
         return true;
     }
     if let Some(rest) = text.strip_prefix("tcp:") {
-        return rest.rsplit_once(':').is_some_and(|(host, port)| !host.is_empty() && port.parse::<u16>().is_ok());
+        return rest
+            .rsplit_once(':')
+            .is_some_and(|(host, port)| !host.is_empty() && port.parse::<u16>().is_ok());
     }
     let Some(rest) = text.strip_prefix("serial:") else { return false };
     match rest.rsplit_once('@') {
@@ -346,7 +378,10 @@ mod tests {
         assert_eq!(manifest.system_dir.as_ref().map(|d| d.text.as_str()), Some("system"));
         assert_eq!(manifest.encoding, EncodingChoice::Fixed(Encoding::Cp852));
         assert_eq!(manifest.machine.as_ref().map(|m| m.text.as_str()), Some("machine.toml"));
-        assert_eq!((manifest.target.as_str(), manifest.debug_everywhere), ("serial:/dev/ttyS0@115200", false));
+        assert_eq!(
+            (manifest.target.as_str(), manifest.debug_everywhere),
+            ("serial:/dev/ttyS0@115200", false)
+        );
         assert_eq!(manifest.lints.get("T0202"), Some(&None));
         assert_eq!(manifest.lints.get("T0504"), Some(&Some(Severity::Error)));
     }

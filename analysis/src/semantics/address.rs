@@ -122,18 +122,21 @@ impl<'a> Shape<'a> {
         minus: bool,
         inside: bool,
     ) -> Result<(), Misshape> {
-        if let ExprKind::Name(name) = &left.kind {
-            if let Some(spelling) = catalogue::prefix(&name.text) {
-                if self.prefix.is_some() || !self.terms.is_empty() {
-                    return Err(Misshape::Form(name.columns.clone(), "a type prefix stands once, before the operand"));
-                }
-                self.prefix = Some(PrefixUse {
-                    prefix: spelling.prefix,
-                    misspelled: spelling.misspelled,
-                    columns: name.columns.clone(),
-                });
-                return self.take(right, minus, inside);
+        if let ExprKind::Name(name) = &left.kind
+            && let Some(spelling) = catalogue::prefix(&name.text)
+        {
+            if self.prefix.is_some() || !self.terms.is_empty() {
+                return Err(Misshape::Form(
+                    name.columns.clone(),
+                    "a type prefix stands once, before the operand",
+                ));
             }
+            self.prefix = Some(PrefixUse {
+                prefix: spelling.prefix,
+                misspelled: spelling.misspelled,
+                columns: name.columns.clone(),
+            });
+            return self.take(right, minus, inside);
         }
         self.take(left, minus, inside)?;
         match &right.kind {
@@ -142,7 +145,9 @@ impl<'a> Shape<'a> {
                 Ok(())
             }
             ExprKind::Error => Err(Misshape::Reported),
-            ExprKind::Name(_) => Err(Misshape::Form(expr.columns.clone(), "one bit name can follow an address")),
+            ExprKind::Name(_) => {
+                Err(Misshape::Form(expr.columns.clone(), "one bit name can follow an address"))
+            }
             _ => Err(Misshape::Form(right.columns.clone(), "a bit name is needed behind the dot")),
         }
     }

@@ -9,7 +9,7 @@ use super::equations::Equations;
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
-use super::{flow, operands, place, suggest};
+use super::{flow, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
 use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
@@ -28,10 +28,14 @@ pub(crate) fn analyse(db: &dyn Db, project: Project, section: Section<'_>) -> Se
         place: place::Context::of(db, project, section, included),
         line: 0,
         clean: true,
-        out: SectionAnalysis { body: Body { statements: Vec::new(), complete: true }, ..SectionAnalysis::default() },
+        out: SectionAnalysis {
+            body: Body { statements: Vec::new(), complete: true },
+            ..SectionAnalysis::default()
+        },
         labels: BTreeMap::new(),
         waiting: Vec::new(),
         equations: Equations::default(),
+        loaded: moves::Loaded::default(),
         unreadable: false,
         misplaced: false,
         end: if section.closed(db) { section.lines_len(db).saturating_sub(1) } else { u32::MAX },
@@ -60,6 +64,7 @@ pub(super) struct CodeReader<'db> {
     /// Labels that wait for their statement.
     waiting: Vec<Arc<str>>,
     equations: Equations,
+    loaded: moves::Loaded,
     /// A line could not be read: what flows through the section is a guess.
     unreadable: bool,
     /// The line before was reported as misplaced.
@@ -102,8 +107,9 @@ impl<'db> CodeReader<'db> {
             let key: Arc<str> = Arc::from(label.key());
             if let Some((first, columns)) = self.labels.get(&key) {
                 let message = format!("the label {} stands here twice", label.text);
-                let finding = Finding::new(&names::DUPLICATE_LABEL, number as u32, label.columns.clone(), message)
-                    .beside(*first, columns.clone(), "the first one");
+                let finding =
+                    Finding::new(&names::DUPLICATE_LABEL, number as u32, label.columns.clone(), message)
+                        .beside(*first, columns.clone(), "the first one");
                 self.out.findings.push(finding);
             } else {
                 self.labels.insert(key, (number as u32, label.columns.clone()));
@@ -132,6 +138,7 @@ impl<'db> CodeReader<'db> {
             let key: Arc<str> = Arc::from(label.key());
             self.refer(label.columns.clone(), Referent::Label(key.clone()), ReferenceAccess::Declare);
             self.waiting.push(key);
+            self.loaded = moves::Loaded::default();
         }
         if broken {
             self.clean = false;
@@ -148,6 +155,8 @@ impl<'db> CodeReader<'db> {
         }
         if !self.placed(entry, operation) {
             self.out.body.complete = false;
+            // In the wrong place or not, it ends the equation before it.
+            self.equations.step(entry, !line.operands.is_empty(), self.line, &operation.columns);
             return;
         }
         if self.place.holds_code() {
@@ -177,7 +186,9 @@ impl<'db> CodeReader<'db> {
         self.unreadable = true;
         self.misplaced = true;
         let names = catalogue::entries()
-            .filter(|e| !matches!(e.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure))
+            .filter(|e| {
+                !matches!(e.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure)
+            })
             .map(|entry| entry.name);
         let near = suggest::nearest(&operation.text, names);
         let message = match near {
@@ -206,6 +217,9 @@ impl<'db> CodeReader<'db> {
         let declared = matches!(self.section.kind(self.db), SectionKind::Mechanism | SectionKind::Procedure);
         if declared && !broken {
             self.named_line(entry, operation, line);
+        } else if let Some(extra) = line.operands.first().filter(|_| !broken) {
+            let message = format!("{} takes no operand", entry.name);
+            self.report(&operand_rules::OPERAND_COUNT, extra.columns.clone(), message);
         }
     }
 
@@ -217,19 +231,18 @@ impl<'db> CodeReader<'db> {
                 let message = format!("the name is missing: {}", form(entry));
                 self.report(&operand_rules::OPERAND_COUNT, operation.columns.clone(), message);
             }
-            [one] => match &one.kind {
-                ExprKind::Name(name) => {
+            [one] => {
+                if let ExprKind::Name(name) = &one.kind {
                     if let Some(symbol) = self.symbol(&name.text).cloned() {
                         let access =
                             if self.line == 0 { ReferenceAccess::Declare } else { ReferenceAccess::Call };
                         self.refer(name.columns.clone(), Referent::Symbol(symbol.key), access);
                     }
-                }
-                _ => {
+                } else {
                     let message = format!("a name is needed here: {}", form(entry));
                     self.report(&operand_rules::OPERAND_KIND, one.columns.clone(), message);
                 }
-            },
+            }
             [_, more, ..] => {
                 let message = format!("one name is enough: {}", form(entry));
                 self.report(&operand_rules::OPERAND_COUNT, more.columns.clone(), message);
@@ -268,6 +281,10 @@ impl<'db> CodeReader<'db> {
         }
         let resolved = operands::resolve(self, entry, line);
         if self.clean {
+            if let Some((rule, message)) = self.loaded.step(entry, &resolved) {
+                let columns = line.operands.first().map_or(0..0, |operand| operand.columns.clone());
+                self.report(rule, columns, message);
+            }
             self.calls(&resolved, line);
             self.push(StatementKind::Instruction(Instruction { entry, operands: resolved, push }));
         } else {
@@ -325,7 +342,8 @@ impl<'db> CodeReader<'db> {
         }
         self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
         let blocked = self.out.findings.iter().any(Finding::blocks);
-        self.out.body.complete &= !blocked && !self.unreadable_without_macro() && self.section.closed(self.db);
+        self.out.body.complete &=
+            !blocked && !self.unreadable_without_macro() && self.section.closed(self.db);
         self.out
     }
 
@@ -344,20 +362,17 @@ impl<'db> CodeReader<'db> {
 
     /// The symbol a name stands for; reports unknown names, and says nothing about those declared with a mistake.
     pub(super) fn resolve(&mut self, name: &Name, access: ReferenceAccess) -> Option<Symbol> {
-        match self.symbol(&name.text) {
-            Some(symbol) => {
-                let symbol = symbol.clone();
-                self.refer(name.columns.clone(), Referent::Symbol(symbol.key.clone()), access);
-                if symbol.kind == SymbolKind::Unknown {
-                    self.clean = false;
-                    return None;
-                }
-                Some(symbol)
+        if let Some(symbol) = self.symbol(&name.text) {
+            let symbol = symbol.clone();
+            self.refer(name.columns.clone(), Referent::Symbol(symbol.key.clone()), access);
+            if symbol.kind == SymbolKind::Unknown {
+                self.clean = false;
+                return None;
             }
-            None => {
-                self.unknown(name);
-                None
-            }
+            Some(symbol)
+        } else {
+            self.unknown(name);
+            None
         }
     }
 
@@ -412,7 +427,13 @@ impl<'db> CodeReader<'db> {
     }
 
     /// Reports that a symbol is something else than needed.
-    pub(super) fn report_symbol(&mut self, rule: &'static Rule, columns: Columns, message: String, key: &SymbolKey) {
+    pub(super) fn report_symbol(
+        &mut self,
+        rule: &'static Rule,
+        columns: Columns,
+        message: String,
+        key: &SymbolKey,
+    ) {
         self.push_finding(Finding::new(rule, self.line, columns, message).declared_at(key));
     }
 
@@ -425,9 +446,16 @@ impl<'db> CodeReader<'db> {
 
     pub(super) fn overrun(&mut self, columns: Columns, symbol: &Symbol, offset: i64, bytes: u32) {
         let Some(declared) = symbol.bytes() else { return };
-        if offset < 0 || offset + i64::from(bytes) > i64::from(declared) {
+        if offset < 0 || offset.saturating_add(i64::from(bytes)) > i64::from(declared) {
             let line = self.line;
-            self.out.overruns.push(Overrun { line, columns, symbol: symbol.key.clone(), offset, bytes, declared });
+            self.out.overruns.push(Overrun {
+                line,
+                columns,
+                symbol: symbol.key.clone(),
+                offset,
+                bytes,
+                declared,
+            });
         }
     }
 }

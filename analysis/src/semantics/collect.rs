@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::constant::{self, ConstExpr, NotConstant};
+use super::constant::{ConstExpr, NotConstant};
 use super::declarations::{Declarations, Declared, Exports, IncludeLine, Overlay, Storage, What};
 use crate::catalogue;
 use crate::diagnostics::Finding;
@@ -12,11 +12,10 @@ use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name, SIGNIFICANT};
 use crate::syntax::section::SectionKind;
 
 /// Largest length DS and STR take, in bytes.
-pub const MAX_LENGTH: i64 = 0x000F_FFFF;
+pub(crate) const MAX_LENGTH: i64 = 0x000F_FFFF;
 
 /// Declarations in the own lines of a section. `outer` are the sections around it.
-#[must_use]
-pub fn collect(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Declarations {
+pub(crate) fn collect(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Declarations {
     let mut reader =
         Reader { kind, found: Declarations::default(), pending: Vec::new(), errors: parsed.error_lines() };
     if kind == SectionKind::Macro {
@@ -31,8 +30,7 @@ pub fn collect(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Declarati
 }
 
 /// What others see of `declarations`.
-#[must_use]
-pub fn exports(declarations: &Declarations) -> Exports {
+pub(crate) fn exports(declarations: &Declarations) -> Exports {
     let mut exports = Exports::default();
     let mut place = vec![None; declarations.names.len()];
     for (index, declared) in declarations.names.iter().enumerate() {
@@ -60,8 +58,7 @@ pub fn exports(declarations: &Declarations) -> Exports {
 }
 
 /// The file name of a T_INCLUDE line; `None` for other lines and when the name is missing.
-#[must_use]
-pub fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bool)> {
+pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bool)> {
     let operation = line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"))?;
     let end = line.comment.as_ref().map_or(text.len(), |comment| comment.start as usize);
     let rest = text.get(operation.columns.end as usize..end)?;
@@ -97,8 +94,12 @@ impl Reader {
             "DS" if self.holds_data() => self.ds(number, line),
             "STR" => self.str(number, line),
             "EQUI" => self.equi(number, line),
-            "MECH_BEGIN" if self.kind == SectionKind::Mechanism && number == 0 => self.routine(line, What::Mechanism),
-            "PROC_BEGIN" if self.kind == SectionKind::Procedure && number == 0 => self.routine(line, What::Procedure),
+            "MECH_BEGIN" if self.kind == SectionKind::Mechanism && number == 0 => {
+                self.routine(line, What::Mechanism);
+            }
+            "PROC_BEGIN" if self.kind == SectionKind::Procedure && number == 0 => {
+                self.routine(line, What::Procedure);
+            }
             "APPEND_T_MACRO" => self.macro_name(Some(line)),
             "T_INCLUDE" => {
                 if let Some((columns, name, quoted)) = include_of(line, text) {
@@ -138,7 +139,13 @@ impl Reader {
         self.errors.binary_search(&number).is_ok()
     }
 
-    fn report(&mut self, rule: &'static crate::diagnostics::Rule, line: u32, columns: Columns, message: String) {
+    fn report(
+        &mut self,
+        rule: &'static crate::diagnostics::Rule,
+        line: u32,
+        columns: Columns,
+        message: String,
+    ) {
         self.found.findings.push(Finding::new(rule, line, columns, message));
     }
 
@@ -181,15 +188,23 @@ impl Reader {
                 _ if self.broken(number) => {}
                 _ => {
                     let message = "a bit name is needed here; leave the place empty for a bit without a name";
-                    self.report(&rules::BAD_DECLARATION, number, operand.columns.clone(), message.to_string());
+                    self.report(
+                        &rules::BAD_DECLARATION,
+                        number,
+                        operand.columns.clone(),
+                        message.to_string(),
+                    );
                 }
             }
         }
-        if let (Some(ninth), Some(last)) = (line.operands.get(8), line.operands.last()) {
-            if line.operands[8..].iter().any(|o| o.kind != ExprKind::Missing) {
-                let message = format!("DFM declares 8 bits, {} are given; put the rest into another DFM", line.operands.len());
-                self.report(&rules::TOO_MANY_BITS, number, ninth.columns.start..last.columns.end, message);
-            }
+        if let (Some(ninth), Some(last)) = (line.operands.get(8), line.operands.last())
+            && line.operands[8..].iter().any(|o| o.kind != ExprKind::Missing)
+        {
+            let message = format!(
+                "DFM declares 8 bits, {} are given; put the rest into another DFM",
+                line.operands.len()
+            );
+            self.report(&rules::TOO_MANY_BITS, number, ninth.columns.start..last.columns.end, message);
         }
     }
 
@@ -243,15 +258,20 @@ impl Reader {
         }
     }
 
-    fn str_content(&mut self, number: u32, line: &Line, length: &Length) -> (Option<Vec<u8>>, Option<Overlay>, bool) {
+    fn str_content(
+        &mut self,
+        number: u32,
+        line: &Line,
+        length: &Length,
+    ) -> (Option<Vec<u8>>, Option<Overlay>, bool) {
         let Some(content) = line.operands.get(1) else { return (None, None, false) };
         if let ExprKind::Text(text) = &content.kind {
             let count = text.chars().count();
-            if let Length::Known(len) = length {
-                if count > *len as usize {
-                    let message = format!("the text has {count} characters, the buffer {len}");
-                    self.report(&rules::TEXT_TOO_LONG, number, content.columns.clone(), message);
-                }
+            if let Length::Known(len) = length
+                && count > *len as usize
+            {
+                let message = format!("the text has {count} characters, the buffer {len}");
+                self.report(&rules::TEXT_TOO_LONG, number, content.columns.clone(), message);
             }
             // Texts of a PLC live in single bytes; the control shows them in Windows-1250.
             let bytes = encoding_rs::WINDOWS_1250.encode(text).0.into_owned();
@@ -311,7 +331,12 @@ impl Reader {
             }
             _ => {
                 if !self.broken(number) {
-                    self.report(&rules::BAD_DECLARATION, number, operation, "write EQUI name, value".to_string());
+                    self.report(
+                        &rules::BAD_DECLARATION,
+                        number,
+                        operation,
+                        "write EQUI name, value".to_string(),
+                    );
                 }
                 return;
             }
@@ -327,18 +352,15 @@ impl Reader {
             }
         };
         let mut used = Vec::new();
-        constant::names(value, &mut used);
+        expr.names(&mut used);
         if used.is_empty() {
-            match expr.literal().filter(|v| (-0x8000_0000..=0xFFFF_FFFF).contains(v)) {
-                Some(value) => {
-                    self.declare(name.clone(), number, What::Constant(Some(value)));
-                }
-                None => {
-                    let message = "the value does not fit 32 bits".to_string();
-                    let rule = &crate::diagnostics::rules::operands::CONSTANT_TOO_LARGE;
-                    self.report(rule, number, value.columns.clone(), message);
-                    self.declare(name.clone(), number, What::Unknown);
-                }
+            if let Some(value) = expr.literal().filter(|v| (-0x8000_0000..=0xFFFF_FFFF).contains(v)) {
+                self.declare(name.clone(), number, What::Constant(Some(value)));
+            } else {
+                let message = "the value does not fit 32 bits".to_string();
+                let rule = &crate::diagnostics::rules::operands::CONSTANT_TOO_LARGE;
+                self.report(rule, number, value.columns.clone(), message);
+                self.declare(name.clone(), number, What::Unknown);
             }
         } else {
             let index = self.declare(name.clone(), number, What::Constant(None));
@@ -385,7 +407,8 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
         ExprKind::Sum { minus, left, right } => {
             let base = overlay(left)?;
             let step = ConstExpr::read(right).ok()?.literal()?;
-            let offset = if *minus { base.offset.checked_sub(step)? } else { base.offset.checked_add(step)? };
+            let offset =
+                if *minus { base.offset.checked_sub(step)? } else { base.offset.checked_add(step)? };
             Some(Overlay { offset, ..base })
         }
         _ => None,
@@ -410,9 +433,10 @@ impl NotConstant {
             NotConstant::Text(columns) => {
                 Some((columns, "a character constant is one character in apostrophes".to_string()))
             }
-            NotConstant::Form(columns) => {
-                Some((columns, "a constant is needed here: a number, 'A', an EQUI name, or their sum".to_string()))
-            }
+            NotConstant::Form(columns) => Some((
+                columns,
+                "a constant is needed here: a number, 'A', an EQUI name, or their sum".to_string(),
+            )),
         }
     }
 }

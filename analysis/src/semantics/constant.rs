@@ -2,7 +2,7 @@
 
 use crate::catalogue;
 use crate::catalogue::Prefix;
-use crate::syntax::ast::{Columns, Expr, ExprKind, Number, key};
+use crate::syntax::ast::{Columns, Expr, ExprKind, Number};
 
 /// A constant expression without positions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,9 +53,13 @@ impl ConstExpr {
         match &expr.kind {
             ExprKind::Number(Number::Integer(value)) => Ok(ConstExpr::Integer(*value)),
             ExprKind::Number(Number::Real(_)) => Err(NotConstant::Real(at())),
-            ExprKind::Text(text) => character(text).map(ConstExpr::Integer).ok_or_else(|| NotConstant::Text(at())),
+            ExprKind::Text(text) => {
+                character(text).map(ConstExpr::Integer).ok_or_else(|| NotConstant::Text(at()))
+            }
             ExprKind::Name(name) => Ok(ConstExpr::Name(name.key())),
-            ExprKind::Sign { negative: true, operand } => Ok(ConstExpr::Negated(Box::new(Self::read(operand)?))),
+            ExprKind::Sign { negative: true, operand } => {
+                Ok(ConstExpr::Negated(Box::new(Self::read(operand)?)))
+            }
             ExprKind::Sign { negative: false, operand } | ExprKind::Parens(operand) => Self::read(operand),
             ExprKind::Sum { minus, left, right } => Ok(ConstExpr::Sum {
                 minus: *minus,
@@ -63,7 +67,9 @@ impl ConstExpr {
                 right: Box::new(Self::read(right)?),
             }),
             ExprKind::Dot { left, right } => match &left.kind {
-                ExprKind::Name(name) if catalogue::prefix(&name.text).is_some_and(|p| p.prefix == Prefix::Cnst) => {
+                ExprKind::Name(name)
+                    if catalogue::prefix(&name.text).is_some_and(|p| p.prefix == Prefix::Cnst) =>
+                {
                     Self::read(right)
                 }
                 _ => Err(NotConstant::Form(at())),
@@ -115,18 +121,4 @@ pub fn character(text: &str) -> Option<i64> {
     let mut chars = text.chars();
     let first = u32::from(chars.next()?);
     (chars.next().is_none() && first <= 0xFF).then_some(i64::from(first))
-}
-
-/// Keys of the names in an expression, with their columns, left to right.
-pub fn names<'a>(expr: &'a Expr, found: &mut Vec<(String, &'a Columns)>) {
-    match &expr.kind {
-        ExprKind::Name(name) => found.push((key(&name.text), &name.columns)),
-        ExprKind::Sign { operand, .. } | ExprKind::Parens(operand) => names(operand, found),
-        ExprKind::Sum { left, right, .. } => {
-            names(left, found);
-            names(right, found);
-        }
-        ExprKind::Dot { right, .. } => names(right, found),
-        _ => {}
-    }
 }

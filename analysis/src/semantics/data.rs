@@ -1,25 +1,18 @@
-//! Bits, cells, constants and areas: from the shape of an operand to its meaning (manual 3.5, 3.9).
+//! Cells, constants, times and areas: from the shape of an operand to its meaning (manual 3.9).
 
 use technol_image::op::Width;
 
-use super::address::{Misshape, PrefixUse, Shape, Term, TermKind};
+use super::address::{PrefixUse, Shape, Term, TermKind};
 use super::code::CodeReader;
-use super::constant::character;
 use super::hir::{Address, Operand};
-use super::operands::{access, address_of, describe, integer};
+use super::operands::{access, describe, integer};
 use super::program::width;
 use super::reference::ReferenceAccess;
 use super::scope::{Symbol, SymbolKind};
+use super::sum::{shape, sum};
 use crate::catalogue::{Access, Entry, Prefix, PrefixSet};
-use crate::diagnostics::rules::{names, operands as rules, syntax};
-use crate::syntax::ast::{Columns, Expr, ExprKind, Name};
-
-/// What a bit operand takes.
-pub(super) struct BitRules {
-    pub(super) access: Access,
-    pub(super) negatable: bool,
-    pub(super) extended: bool,
-}
+use crate::diagnostics::rules::{names, operands as rules};
+use crate::syntax::ast::{Columns, Expr, ExprKind};
 
 /// What a data operand takes.
 pub(super) struct ValueRules {
@@ -31,235 +24,8 @@ pub(super) struct ValueRules {
 
 impl ValueRules {
     fn constants(&self) -> bool {
-        self.access == Access::Read && (self.prefixes.contains(Prefix::Cnst) || self.declared.contains(Prefix::Cnst))
-    }
-}
-
-/// A sum of terms, resolved.
-struct Sum {
-    /// The one symbol with memory in it.
-    symbol: Option<Symbol>,
-    /// `$` stands in it.
-    dollar: bool,
-    offset: i64,
-    indexed: bool,
-    /// A name that is a constant, or a number, and nothing else.
-    constant: bool,
-}
-
-/// The shape of an operand; reports what has none.
-fn shape<'a>(reader: &mut CodeReader<'_>, expr: &'a Expr) -> Option<Shape<'a>> {
-    match Shape::of(expr) {
-        Ok(shape) => {
-            if let Some(prefix) = &shape.prefix {
-                misspelled(reader, prefix);
-            }
-            Some(shape)
-        }
-        Err(Misshape::Reported) => {
-            reader.clean = false;
-            None
-        }
-        Err(Misshape::Form(columns, message)) => {
-            reader.report(&rules::OPERAND_KIND, columns, message);
-            None
-        }
-    }
-}
-
-/// Reports `CNTS.`.
-pub(super) fn misspelled(reader: &mut CodeReader<'_>, prefix: &PrefixUse) {
-    if prefix.misspelled {
-        let finding = crate::diagnostics::Finding::new(
-            &syntax::MISSPELLED_PREFIX,
-            reader.line,
-            prefix.columns.clone(),
-            "CNTS. is read as CNST.",
-        );
-        reader.push_finding(finding.replace("write CNST", prefix.columns.clone(), "CNST"));
-    }
-}
-
-fn sum(reader: &mut CodeReader<'_>, shape: &Shape<'_>, expr: &Expr, uses: ReferenceAccess) -> Option<Sum> {
-    let mut sum = Sum { symbol: None, dollar: false, offset: 0, indexed: false, constant: true };
-    let element = shape.prefix.as_ref().map(|prefix| width(prefix.prefix).bytes());
-    for term in &shape.terms {
-        add(reader, &mut sum, term, element, uses)?;
-    }
-    if sum.dollar && sum.symbol.is_some() {
-        let message = "$ stands for the byte of the bit; no other address can be added to it";
-        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
-        return None;
-    }
-    Some(sum)
-}
-
-fn add(
-    reader: &mut CodeReader<'_>,
-    sum: &mut Sum,
-    term: &Term<'_>,
-    element: Option<u32>,
-    uses: ReferenceAccess,
-) -> Option<()> {
-    let step = |value: i64| if term.minus { value.checked_neg() } else { Some(value) };
-    let overflow = |reader: &mut CodeReader<'_>| {
-        reader.report(&rules::CONSTANT_TOO_LARGE, term.columns.clone(), "the value is too large");
-    };
-    let value = match &term.kind {
-        TermKind::Integer(value) => *value,
-        TermKind::Text(text) => match character(text) {
-            Some(value) => value,
-            None => {
-                let message = "a character constant is one character in apostrophes";
-                reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
-                return None;
-            }
-        },
-        TermKind::Real(_) => {
-            let message = "a number with a decimal point cannot be part of an address or sum";
-            reader.report(&rules::REAL_NOT_ALLOWED, term.columns.clone(), message);
-            return None;
-        }
-        TermKind::Dollar => {
-            sum.dollar = true;
-            sum.constant = false;
-            return Some(());
-        }
-        TermKind::Name(name) if name.text.eq_ignore_ascii_case("BX") && sum.symbol.is_some() && !term.minus => {
-            sum.indexed = true;
-            return Some(());
-        }
-        TermKind::Name(name) => {
-            let symbol = reader.resolve(name, uses)?;
-            match symbol.kind {
-                SymbolKind::Constant(value) => value,
-                _ => return memory(reader, sum, term, symbol, name),
-            }
-        }
-        TermKind::Indexed(name, index) => {
-            let symbol = reader.resolve(name, uses)?;
-            let by_bx =
-                matches!(&index.kind, ExprKind::Name(index) if index.text.eq_ignore_ascii_case("BX"));
-            if by_bx {
-                sum.indexed = true;
-            } else {
-                let number = integer(reader, index)?;
-                let size = match symbol.kind {
-                    SymbolKind::Array { element, .. } => element.bytes(),
-                    SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
-                    _ => {
-                        let message = format!(
-                            "{} is {}: name[n] is for arrays; write {}+n for a byte offset, or {}[BX]",
-                            name.text,
-                            describe(&symbol.kind),
-                            name.text,
-                            name.text
-                        );
-                        reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
-                        return None;
-                    }
-                };
-                match number.checked_mul(i64::from(size)).and_then(|bytes| sum.offset.checked_add(bytes)) {
-                    Some(offset) => sum.offset = offset,
-                    None => {
-                        overflow(reader);
-                        return None;
-                    }
-                }
-            }
-            return memory(reader, sum, term, symbol, name);
-        }
-    };
-    match step(value).and_then(|value| sum.offset.checked_add(value)) {
-        Some(offset) => {
-            sum.offset = offset;
-            Some(())
-        }
-        None => {
-            overflow(reader);
-            None
-        }
-    }
-}
-
-fn memory(reader: &mut CodeReader<'_>, sum: &mut Sum, term: &Term<'_>, symbol: Symbol, name: &Name) -> Option<()> {
-    sum.constant = false;
-    if matches!(symbol.kind, SymbolKind::Procedure | SymbolKind::Macro) {
-        let message = format!("{} is {} and has no memory", name.text, describe(&symbol.kind));
-        reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
-        return None;
-    }
-    if term.minus || sum.symbol.is_some() {
-        let message = format!("{} is an address; to an address only constants can be added", name.text);
-        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
-        return None;
-    }
-    sum.symbol = Some(symbol);
-    Some(())
-}
-
-/// A bit: `bit`, `ADR.bit`, `$+n.bit`.
-pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -> Option<Operand> {
-    let shape = shape(reader, expr)?;
-    if let Some(prefix) = &shape.prefix {
-        let message = format!("a bit takes no type prefix; write it without {}.", prefix.prefix.name());
-        reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
-        return None;
-    }
-    if let Some((true, columns)) = shape.sign.clone().filter(|_| !wanted.negatable) {
-        reader.report(&rules::SIGN_NOT_ALLOWED, columns, "this operand cannot be negated");
-        return None;
-    }
-    let negated = shape.negated();
-    if let Some(name) = shape.plain_name() {
-        let symbol = reader.resolve(name, access(wanted.access))?;
-        return plain_bit(reader, name, &symbol, negated);
-    }
-    let Some(position) = shape.bit else {
-        let message = "a bit is needed here: a bit name, ADR.bit or $+n.bit";
-        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
-        return None;
-    };
-    if !wanted.extended {
-        let message = "this instruction takes a bit by its plain name only";
-        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
-        return None;
-    }
-    let sum = sum(reader, &shape, expr, access(wanted.access))?;
-    let mask = reader.resolve(position, ReferenceAccess::Read)?;
-    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = mask.kind else {
-        let message = format!("{} is {}, a bit is needed behind the dot", position.text, describe(&mask.kind));
-        reader.report_symbol(&names::WRONG_SYMBOL, position.columns.clone(), message, &mask.key);
-        return None;
-    };
-    let base = if sum.dollar { Some(mask.clone()) } else { sum.symbol };
-    let Some(base) = base.filter(|base| base.kind != SymbolKind::Mechanism && base.bytes().is_some()) else {
-        let message = "an address is needed before the dot: a cell, name+n, name[BX] or $+n";
-        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
-        return None;
-    };
-    // Stepping from one DFM byte to its neighbours is what `bit+n` and `$+n` are for.
-    if !sum.indexed && !matches!(base.kind, SymbolKind::Bit { .. }) {
-        reader.overrun(expr.columns.clone(), &base, sum.offset, 1);
-    }
-    let address = Address { symbol: base.key, offset: sum.offset, indexed: sum.indexed };
-    Some(Operand::Bit { address, bit, negated })
-}
-
-fn plain_bit(reader: &mut CodeReader<'_>, name: &Name, symbol: &Symbol, negated: bool) -> Option<Operand> {
-    match symbol.kind {
-        SymbolKind::Bit { bit } => Some(Operand::Bit { address: address_of(symbol), bit, negated }),
-        SymbolKind::Mechanism => Some(Operand::Bit { address: address_of(symbol), bit: 0, negated }),
-        SymbolKind::FormalBit { .. } => {
-            let message = format!("{} is only a position; write the cell before it: ADR.{}", name.text, name.text);
-            reader.report(&names::WRONG_SYMBOL, name.columns.clone(), message);
-            None
-        }
-        _ => {
-            let message = format!("{} is {}, a bit is needed here", name.text, describe(&symbol.kind));
-            reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
-            None
-        }
+        self.access == Access::Read
+            && (self.prefixes.contains(Prefix::Cnst) || self.declared.contains(Prefix::Cnst))
     }
 }
 
@@ -277,7 +43,7 @@ pub(super) fn value(
         return None;
     }
     if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
-        let value = if shape.negated() != *minus { -value } else { *value };
+        let value = if shape.negated() == *minus { *value } else { -value };
         return real(reader, entry, expr, &shape, wanted, value);
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
@@ -298,10 +64,11 @@ pub(super) fn value(
         None => declared(reader, entry, wanted, &symbol, expr)?,
     };
     let high = shape.prefix.as_ref().is_some_and(|prefix| prefix.prefix == Prefix::High);
-    let offset = sum.offset.saturating_add(i64::from(high));
     if !sum.indexed {
-        reader.overrun(expr.columns.clone(), &symbol, offset, width.bytes());
+        // HIGH. is the second byte of a WORD: a BYTE cell has none.
+        reader.overrun(expr.columns.clone(), &symbol, sum.offset, if high { 2 } else { width.bytes() });
     }
+    let offset = sum.offset.saturating_add(i64::from(high));
     let address = Address { symbol: symbol.key, offset, indexed: sum.indexed };
     Some(Operand::Cell { address, width, negated: shape.negated() })
 }
@@ -324,7 +91,8 @@ fn prefixed(
             let message = format!("{} computes with integers only; REAL. cannot stand here", entry.name);
             reader.report(&rules::REAL_NOT_ALLOWED, prefix.columns.clone(), message);
         } else {
-            let message = format!("{} does not take {}.{}", entry.name, prefix.prefix.name(), allowed(wanted.prefixes));
+            let message =
+                format!("{} does not take {}.{}", entry.name, prefix.prefix.name(), allowed(wanted.prefixes));
             reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
         }
         return None;
@@ -338,8 +106,13 @@ fn prefixed(
 }
 
 fn allowed(prefixes: PrefixSet) -> String {
-    let names: Vec<_> = Prefix::ALL.iter().filter(|p| prefixes.contains(**p)).map(|p| format!("{}.", p.name())).collect();
-    if names.is_empty() { "; it takes no prefix".to_string() } else { format!("; it takes {}", names.join(" ")) }
+    let names: Vec<_> =
+        Prefix::ALL.iter().filter(|p| prefixes.contains(**p)).map(|p| format!("{}.", p.name())).collect();
+    if names.is_empty() {
+        "; it takes no prefix".to_string()
+    } else {
+        format!("; it takes {}", names.join(" "))
+    }
 }
 
 fn declared(
@@ -353,10 +126,8 @@ fn declared(
         SymbolKind::Cell(width) | SymbolKind::Array { element: width, .. } => width,
         SymbolKind::MechanismLine => Width::Word,
         SymbolKind::Area { .. } | SymbolKind::Text { .. } => {
-            let message = format!(
-                "{} has no type; put BYTE., WORD., DWRD., QWRD. or REAL. before it",
-                symbol.key.name
-            );
+            let message =
+                format!("{} has no type; put BYTE., WORD., DWRD., QWRD. or REAL. before it", symbol.key.name);
             reader.report_symbol(&rules::UNTYPED_AREA, expr.columns.clone(), message, &symbol.key);
             return None;
         }
@@ -427,7 +198,8 @@ fn real(
         return None;
     }
     if !wanted.prefixes.contains(Prefix::Real) {
-        let message = format!("{} computes with integers only; write a number without decimal point", entry.name);
+        let message =
+            format!("{} computes with integers only; write a number without decimal point", entry.name);
         reader.report(&rules::REAL_NOT_ALLOWED, expr.columns.clone(), message);
         return None;
     }
@@ -502,7 +274,9 @@ fn integer_value(
 fn folded(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<i64> {
     let bare = super::address::without_prefix(expr);
     let value = super::constant::ConstExpr::read(&bare).ok().and_then(|constant| {
-        constant.value(&mut |name| super::program::constant(reader.db, reader.project, reader.section, name)).ok()
+        constant
+            .value(&mut |name| super::program::constant(reader.db, reader.project, reader.section, name))
+            .ok()
     });
     if value.is_none() {
         reader.report(&rules::CONSTANT_TOO_LARGE, expr.columns.clone(), "the value is too large");
@@ -514,7 +288,7 @@ fn folded(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<i64> {
 pub(super) fn constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
     let shape = shape(reader, expr)?;
     if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
-        return Some(Operand::Real(if shape.negated() != *minus { -value } else { *value }));
+        return Some(Operand::Real(if shape.negated() == *minus { *value } else { -value }));
     }
     integer(reader, expr).map(|value| Operand::Integer { value, width: Width::DWord })
 }
@@ -556,7 +330,8 @@ pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Ex
         // The counter's prefix gives the width; without one it is reported below.
         SymbolKind::Area { .. } | SymbolKind::Cell(_) => Width::DWord,
         _ => {
-            let message = format!("{} is {}, {} needs a time", symbol.key.name, describe(&symbol.kind), entry.name);
+            let message =
+                format!("{} is {}, {} needs a time", symbol.key.name, describe(&symbol.kind), entry.name);
             reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
             return None;
         }

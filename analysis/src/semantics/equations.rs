@@ -74,15 +74,14 @@ impl Equations {
     }
 
     fn pop(&mut self, entry: &Entry, line: u32, columns: &Columns) {
-        match self.pushed.pop() {
-            Some((_, began)) => self.open = Some(Open { began, lost: None }),
-            None => {
-                let message = format!(
-                    "{} without operand takes a value from the stack, but no LDR pushed one; give it an operand",
-                    entry.name
-                );
-                self.findings.push(Finding::new(&rules::POP_WITHOUT_PUSH, line, columns.clone(), message));
-            }
+        if let Some((_, began)) = self.pushed.pop() {
+            self.open = Some(Open { began, lost: None });
+        } else {
+            let message = format!(
+                "{} without operand takes a value from the stack, but no LDR pushed one; give it an operand",
+                entry.name
+            );
+            self.findings.push(Finding::new(&rules::POP_WITHOUT_PUSH, line, columns.clone(), message));
         }
     }
 
@@ -90,12 +89,12 @@ impl Equations {
     pub(super) fn check(&mut self, returns_rlo: bool) {
         let left = std::mem::take(&mut self.pushed);
         let open = self.open.take();
-        if left.is_empty() {
-            if let Some(open) = open.filter(|_| !returns_rlo) {
-                let message = "this equation is never closed: its result goes nowhere; add WR, FL1 or another \
+        if left.is_empty()
+            && let Some(open) = open.filter(|_| !returns_rlo)
+        {
+            let message = "this equation is never closed: its result goes nowhere; add WR, FL1 or another \
                                terminal instruction";
-                self.findings.push(Finding::new(&rules::OPEN_EQUATION, open.began.0, open.began.1, message));
-            }
+            self.findings.push(Finding::new(&rules::OPEN_EQUATION, open.began.0, open.began.1, message));
         }
         for (push, began) in left {
             let message = "this LDR pushes the RLO of the equation that is still open, and nothing takes it back; \

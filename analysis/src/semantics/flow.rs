@@ -24,10 +24,8 @@ pub(super) fn check(
         .collect();
     let mut findings = Vec::new();
     rasters(body, lines, &targets, &mut findings);
-    if !unreadable {
-        if let Some(graph) = Graph::of(body, &targets) {
-            loops(body, labels, &graph, &mut findings);
-        }
+    if !unreadable && let Some(graph) = Graph::of(body, &targets) {
+        loops(body, labels, &graph, &mut findings);
     }
     findings
 }
@@ -50,19 +48,24 @@ fn label_of(instruction: &Instruction) -> Option<&Arc<str>> {
     })
 }
 
-fn rasters(
-    body: &Body,
-    lines: &[Line],
-    targets: &BTreeMap<&Arc<str>, usize>,
-    findings: &mut Vec<Finding>,
-) {
+fn rasters(body: &Body, lines: &[Line], targets: &BTreeMap<&Arc<str>, usize>, findings: &mut Vec<Finding>) {
     let mut block: Option<(usize, u32)> = None;
     for (index, statement) in body.statements.iter().enumerate() {
-        let Some(raster) = instruction(statement).filter(|i| is_raster(i)) else { continue };
+        let Some(raster) = instruction(statement).filter(|i| is_raster(i) || i.entry.name == "TM") else {
+            continue;
+        };
         let source = lines.get(statement.line as usize);
         let operation = source.and_then(|line| line.operation.as_ref()).map_or(0..0, |o| o.columns.clone());
+        if raster.entry.name == "TM" {
+            if block.is_none_or(|(end, _)| index >= end) {
+                let message = "TM counts passes of a DFTM block, but none is around it";
+                findings.push(Finding::new(&rules::TIMER_OUTSIDE_RASTER, statement.line, operation, message));
+            }
+            continue;
+        }
         if let Some((_, line)) = block.filter(|(end, _)| index < *end) {
-            let message = format!("{} stands inside another DFTM block; end that one first", raster.entry.name);
+            let message =
+                format!("{} stands inside another DFTM block; end that one first", raster.entry.name);
             let first = lines.get(line as usize).and_then(|line| line.operation.as_ref());
             let mut finding = Finding::new(&rules::NESTED_RASTER, statement.line, operation, message);
             if let Some(first) = first {
@@ -73,7 +76,8 @@ fn rasters(
         }
         let Some(end) = label_of(raster).and_then(|label| targets.get(label)) else { continue };
         if *end <= index {
-            let columns = source.and_then(|line| line.operands.first()).map_or(operation, |o| o.columns.clone());
+            let columns =
+                source.and_then(|line| line.operands.first()).map_or(operation, |o| o.columns.clone());
             let message = format!("the end label of {} must stand after it", raster.entry.name);
             findings.push(Finding::new(&rules::RASTER_END, statement.line, columns, message));
         } else {
@@ -101,7 +105,11 @@ impl Graph {
             graph.waits[index] = code.entry.ex_type && code.entry.name != "BEX";
             let jumps = matches!(code.entry.name, "JUM" | "JL0" | "JL1") || is_raster(code);
             if jumps {
-                graph.next[index].push(*targets.get(label_of(code)?)?);
+                let target = *targets.get(label_of(code)?)?;
+                // A DFTM whose end stands before it is reported by itself.
+                if target > index || !is_raster(code) {
+                    graph.next[index].push(target);
+                }
             }
             if code.entry.name != "JUM" {
                 graph.next[index].push(index + 1);
@@ -118,10 +126,8 @@ fn loops(
     findings: &mut Vec<Finding>,
 ) {
     for circle in circles(graph) {
-        let leaves = circle
-            .iter()
-            .flat_map(|node| &graph.next[*node])
-            .any(|next| circle.binary_search(next).is_err());
+        let leaves =
+            circle.iter().flat_map(|node| &graph.next[*node]).any(|next| circle.binary_search(next).is_err());
         let works = circle.iter().filter_map(|node| instruction(&body.statements[*node])).any(|code| {
             code.entry
                 .writes
@@ -129,14 +135,17 @@ fn loops(
                 .any(|effect| matches!(effect, Effect::Memory | Effect::Dr | Effect::Dr64 | Effect::DrReal))
         });
         let head = circle.iter().find_map(|node| body.statements[*node].labels.first());
-        let Some((name, (line, columns))) = head.and_then(|label| labels.get_key_value(label)) else { continue };
+        let Some((name, (line, columns))) = head.and_then(|label| labels.get_key_value(label)) else {
+            continue;
+        };
         if !leaves {
             let message = format!(
                 "the loop at {name} has no way out and no EX-type instruction that waits, so the cycle never ends"
             );
             findings.push(Finding::new(&rules::ENDLESS_LOOP, *line, columns.clone(), message));
         } else if !works {
-            let message = format!("the loop at {name} turns without waiting until a condition changes; use EX0 or EX1");
+            let message =
+                format!("the loop at {name} turns without waiting until a condition changes; use EX0 or EX1");
             findings.push(Finding::new(&rules::BUSY_LOOP, *line, columns.clone(), message));
         }
     }

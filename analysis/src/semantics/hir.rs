@@ -44,7 +44,7 @@ pub struct Address {
 pub enum Operand {
     /// Not given: `-`, `NIL` or empty.
     Skipped,
-    /// A bit.
+    /// A bit. For a mechanism (its activation bit) the number comes with the layout, `bit` is 0 here.
     Bit {
         /// Its byte.
         address: Address,

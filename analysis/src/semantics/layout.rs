@@ -184,14 +184,16 @@ impl Layout {
             for (storage, piece) in block.declarations.storage.iter().enumerate() {
                 *total += u64::from(piece.len);
                 if *total > u64::from(MAX_REGION) && self.overflow.is_none() {
-                    let message =
-                        format!("the {region} data are longer than {MAX_REGION} bytes, which is all there is");
+                    let message = format!(
+                        "the {region} data are longer than {MAX_REGION} bytes, which is all there is"
+                    );
                     let line = line_of_storage(block.declarations, storage);
                     self.overflow = Some(Overflow { block: index, line, message });
                 }
             }
         }
-        let sequences: Vec<usize> = (0..blocks.len()).filter(|i| sequence_kind(blocks[*i].kind).is_some()).collect();
+        let sequences: Vec<usize> =
+            (0..blocks.len()).filter(|i| sequence_kind(blocks[*i].kind).is_some()).collect();
         let cells = sequences.len().div_ceil(8) as u64 + sequences.len() as u64 * 6;
         if self.overflow.is_none() {
             if let Some(block) = sequences.get(MAX_SEQUENCES) {
@@ -199,8 +201,9 @@ impl Layout {
                 self.overflow = Some(Overflow { block: *block, line: 0, message });
             } else if global + cells > u64::from(MAX_REGION) {
                 let block = sequences.last().copied().unwrap_or_default();
-                let message =
-                    format!("the cells of the mechanisms do not fit into the {MAX_REGION} bytes of global data");
+                let message = format!(
+                    "the cells of the mechanisms do not fit into the {MAX_REGION} bytes of global data"
+                );
                 self.overflow = Some(Overflow { block, line: 0, message });
             }
         }
@@ -261,8 +264,12 @@ impl Layout {
                 What::Bit { storage, bit } => {
                     at(storage).map(|(addr, _)| Placed { addr, len: 1, kind: PlacedKind::Bit(bit) })
                 }
-                What::Cell { storage } => at(storage).map(|(addr, len)| Placed { addr, len, kind: cell_kind(len) }),
-                What::Area { storage } => at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Area }),
+                What::Cell { storage } => {
+                    at(storage).map(|(addr, len)| Placed { addr, len, kind: cell_kind(len) })
+                }
+                What::Area { storage } => {
+                    at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Area })
+                }
                 What::Text { storage: Some(storage), len: characters, .. } => {
                     at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Text(characters) })
                 }
@@ -291,7 +298,9 @@ impl Layout {
 /// A symbol as an overlay names it: local to the file, else global, else predefined.
 fn named_addr(places: &HashMap<SymbolKey, Placed>, file: u8, name: &str) -> Option<Addr> {
     let find = |scope| places.get(&SymbolKey { scope, name: name.into() }).map(|p| p.addr);
-    find(SymbolScope::File(file)).or_else(|| find(SymbolScope::Global)).or_else(|| system_addr(&catalogue::symbol(name)?.kind))
+    find(SymbolScope::File(file))
+        .or_else(|| find(SymbolScope::Global))
+        .or_else(|| system_addr(&catalogue::symbol(name)?.kind))
 }
 
 /// First byte of a predefined symbol; `None` for one without memory.
@@ -327,7 +336,9 @@ fn clamp(len: u64) -> u32 {
 
 fn line_of_storage(declarations: &Declarations, wanted: usize) -> u32 {
     let of = |what: &What| match what {
-        What::Bit { storage, .. } | What::Cell { storage } | What::Area { storage } => Some(*storage as usize),
+        What::Bit { storage, .. } | What::Cell { storage } | What::Area { storage } => {
+            Some(*storage as usize)
+        }
         What::Text { storage, .. } => storage.map(|s| s as usize),
         _ => None,
     };
@@ -353,7 +364,12 @@ mod tests {
         data(&[], vec![named(name, 0, What::Mechanism)])
     }
 
-    fn block<'a>(kind: SectionKind, name: &'a str, file: u8, declarations: &'a Declarations) -> DataBlock<'a> {
+    fn block<'a>(
+        kind: SectionKind,
+        name: &'a str,
+        file: u8,
+        declarations: &'a Declarations,
+    ) -> DataBlock<'a> {
         DataBlock { kind, name, file, declarations }
     }
 
@@ -397,7 +413,8 @@ mod tests {
         let local = data(&[2], vec![named("TMP", 1, What::Cell { storage: 0 })]);
         let mechs: Vec<Declarations> = (0..9).map(|n| mechanism(&format!("M{n}"))).collect();
         let names: Vec<String> = (0..9).map(|n| format!("M{n}")).collect();
-        let mut blocks = vec![block(SectionKind::Data, "", 0, &cells), block(SectionKind::DataLocal, "", 1, &local)];
+        let mut blocks =
+            vec![block(SectionKind::Data, "", 0, &cells), block(SectionKind::DataLocal, "", 1, &local)];
         blocks.extend(mechs.iter().zip(&names).map(|(d, n)| block(SectionKind::Mechanism, n, 0, d)));
         let layout = Layout::compute(&blocks);
         assert_eq!(layout.global_len, 3 + 2 + 9 * 6);
@@ -413,8 +430,7 @@ mod tests {
     #[test]
     fn block_modules_have_cells_but_no_symbol() {
         let none = Declarations::default();
-        let layout =
-            Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)]);
+        let layout = Layout::compute(&[block(SectionKind::Module(ModuleKind::BlockInit), "", 0, &none)]);
         assert_eq!(layout.sequences.len(), 1);
         assert_eq!(&*layout.sequences[0].name, "MODULE_BLOCK_INIT");
         assert_eq!(layout.place(&global("MODULE_BLOCK_INIT")), None);

@@ -1,8 +1,8 @@
 //! Declarations, scopes, memory layout, operands and types, equations, structure.
 //!
 //! `collect` reads what a section declares, `program` joins that to the scope of the project, `code` walks the lines
-//! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `data` and
-//! `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
+//! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `sum`,
+//! `bits`, `data` and `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
 //! files.
 
 pub mod analysis;
@@ -13,15 +13,19 @@ pub mod declarations;
 pub mod hir;
 pub mod layout;
 pub mod program;
+pub mod recursion;
 pub mod reference;
 pub mod scope;
 pub mod structure;
 pub(crate) mod suggest;
 
 mod address;
+mod bits;
+mod constants;
 mod data;
 mod equations;
 mod flow;
 mod moves;
 mod operands;
 pub(crate) mod place;
+mod sum;

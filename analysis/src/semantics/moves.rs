@@ -1,4 +1,4 @@
-//! Operands that must fit each other: MOVE, MV, TEX and TIM, shifts.
+//! Operands that must fit each other: MOVE, MV, TEX and TIM, shifts, and comparisons with what was loaded.
 
 use technol_image::op::Width;
 
@@ -6,7 +6,8 @@ use super::address::Shape;
 use super::code::CodeReader;
 use super::hir::Operand;
 use super::scope::Symbol;
-use crate::catalogue::Entry;
+use crate::catalogue::{Effect, Entry};
+use crate::diagnostics::Rule;
 use crate::diagnostics::rules::operands as rules;
 use crate::syntax::ast::Line;
 
@@ -17,6 +18,7 @@ pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, res
         "TIM" | "TEX0" | "TEX1" => covered_time(reader, line, resolved),
         "MV" => copied(reader, line, resolved),
         "RL" | "RR" => shift(reader, line, resolved),
+        "CLEAR" => cleared(reader, line, resolved),
         _ => {}
     }
 }
@@ -56,7 +58,8 @@ fn covered_time(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) 
             reader.report(&rules::PREFIX_COVERS_TIME, time.columns.clone(), message);
         }
         (None, Some(Operand::Cell { width: Width::DWord, address, .. })) => {
-            let message = format!("{} is neither BYTE nor WORD; put a prefix before the counter", address.symbol.name);
+            let message =
+                format!("{} is neither BYTE nor WORD; put a prefix before the counter", address.symbol.name);
             reader.report(&rules::UNTYPED_AREA, time.columns.clone(), message);
         }
         _ => {}
@@ -76,11 +79,97 @@ fn copied(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
     }
 }
 
-fn shift(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
-    if let Some(Operand::Integer { value, .. }) = resolved.first() {
-        if !(0..=255).contains(value) {
-            let message = format!("{value} is no shift count: 0 to 255");
-            reader.report(&rules::NUMBER_OUT_OF_RANGE, line.operands[0].columns.clone(), message);
+/// CLEAR: two cells of one data area, or GLOBAL or INTERNAL with ALL.
+fn cleared(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
+    let [first, last] = resolved else { return };
+    let fits = match (first, last) {
+        (Operand::Area { address: begin, .. }, Operand::Area { address: end, .. }) => {
+            begin.symbol.scope == end.symbol.scope && !begin.indexed && !end.indexed
         }
+        (Operand::Keyword("GLOBAL" | "INTERNAL"), Operand::Keyword("ALL")) => true,
+        _ => false,
+    };
+    if !fits {
+        let message = "CLEAR takes two cells of one data area, or GLOBAL,ALL, or INTERNAL,ALL";
+        let columns = line.operands[0].columns.start..line.operands[1].columns.end;
+        reader.report(&rules::OPERAND_KIND, columns, message);
+    }
+}
+
+fn shift(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
+    if let Some(Operand::Integer { value, .. }) = resolved.first()
+        && !(0..=255).contains(value)
+    {
+        let message = format!("{value} is no shift count: 0 to 255");
+        reader.report(&rules::NUMBER_OUT_OF_RANGE, line.operands[0].columns.clone(), message);
+    }
+}
+
+/// What the lines before left in DR, as far as the text tells.
+#[derive(Debug, Default)]
+pub(super) struct Loaded {
+    /// A BYTE or WORD cell, sign-extended.
+    width: Option<Width>,
+    /// Instruction that changed only a part of DR since all 64 bits were valid.
+    partly: Option<&'static str>,
+}
+
+impl Loaded {
+    /// An instruction; gives what is wrong with its operand.
+    pub(super) fn step(
+        &mut self,
+        entry: &'static Entry,
+        operands: &[Operand],
+    ) -> Option<(&'static Rule, String)> {
+        let found = match (entry.name, operands) {
+            ("EQ" | "EQ1", [Operand::Integer { value, width: Width::DWord }]) => self.never_equal(*value),
+            (
+                "DIVB",
+                [Operand::Integer { width: Width::DWord, .. } | Operand::Cell { width: Width::DWord, .. }],
+            ) => self.partly.map(|by| {
+                let message = format!(
+                    "this divides all 64 bits of DR, but {by} changed only the lower ones; a negative or larger \
+                     result of it is divided wrongly"
+                );
+                (&rules::STALE_DIVIDEND, message)
+            }),
+            _ => None,
+        };
+        self.follow(entry, operands);
+        found
+    }
+
+    fn never_equal(&self, value: i64) -> Option<(&'static Rule, String)> {
+        let (range, name) = match self.width? {
+            Width::Byte => (0x80..=0xFF, "BYTE"),
+            _ => (0x8000..=0xFFFF, "WORD"),
+        };
+        range.contains(&value).then(|| {
+            let message =
+                format!("a {name} cell loads with its sign, so DR is never {value}; write {name}.{value}");
+            (&rules::NEVER_EQUAL, message)
+        })
+    }
+
+    fn follow(&mut self, entry: &'static Entry, operands: &[Operand]) {
+        let writes =
+            entry.writes.iter().any(|effect| matches!(effect, Effect::Dr | Effect::Dr64 | Effect::DrReal));
+        if !writes && !entry.ex_type {
+            return;
+        }
+        *self = match (entry.name, operands) {
+            ("LOD", [Operand::Cell { width: width @ (Width::Byte | Width::Word), negated: false, .. }]) => {
+                Loaded { width: Some(*width), partly: None }
+            }
+            ("AD" | "SU", [Operand::Cell { width, .. } | Operand::Integer { width, .. }])
+                if width.bytes() < 8 =>
+            {
+                Loaded { width: None, partly: Some(self.partly.unwrap_or(entry.name)) }
+            }
+            ("INR" | "DCR" | "INV", [] | [Operand::Skipped | Operand::Keyword("DWRD")]) => {
+                Loaded { width: None, partly: Some(self.partly.unwrap_or(entry.name)) }
+            }
+            _ => Loaded::default(),
+        };
     }
 }

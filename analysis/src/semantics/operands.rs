@@ -6,12 +6,12 @@ use technol_image::op::Width;
 
 use super::address::Shape;
 use super::code::{CodeReader, form};
-use super::constant::{self, ConstExpr, NoValue};
+use super::constant::{ConstExpr, NoValue};
 use super::hir::{Address, Operand};
 use super::program::no_value;
 use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
-use super::{data, moves};
+use super::{bits, data, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
 use crate::diagnostics::rules::{declarations, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
@@ -60,6 +60,9 @@ pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, li
         "DS" | "STR" => line.operands.first(),
         _ => None,
     };
+    if entry.name == "STR" {
+        overlay(reader, line);
+    }
     let Some(value) = value else { return };
     let Ok(expr) = ConstExpr::read(value) else { return };
     let mut used = Vec::new();
@@ -77,24 +80,46 @@ pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, li
             return;
         }
     }
-    let bounds = if entry.name == "EQUI" { (-0x8000_0000, 0xFFFF_FFFF) } else { (1, super::collect::MAX_LENGTH) };
+    let bounds =
+        if entry.name == "EQUI" { (-0x8000_0000, 0xFFFF_FFFF) } else { (1, super::collect::MAX_LENGTH) };
     match expr.value(&mut |name| super::program::constant(reader.db, reader.project, reader.section, name)) {
         Ok(value) if (bounds.0..=bounds.1).contains(&value) => {}
         Ok(number) if entry.name != "EQUI" => {
             let message = format!("the length {number} is not within 1 and {}", super::collect::MAX_LENGTH);
             reader.report(&declarations::BAD_LENGTH, value.columns.clone(), message);
         }
-        _ => reader.report(&rules::CONSTANT_TOO_LARGE, value.columns.clone(), "the value does not fit 32 bits"),
+        _ => {
+            reader.report(
+                &rules::CONSTANT_TOO_LARGE,
+                value.columns.clone(),
+                "the value does not fit 32 bits",
+            );
+        }
     }
     if let (ExprKind::Text(text), Some(SymbolKind::Text { len })) = (
         line.operands.get(1).map_or(&ExprKind::Missing, |o| &o.kind),
         line.label.as_ref().and_then(|label| reader.symbol(&label.text)).map(|symbol| symbol.kind.clone()),
-    ) {
-        if entry.name == "STR" && text.chars().count() > len as usize {
-            let columns = line.operands[1].columns.clone();
-            let message = format!("the text has {} characters, the buffer {len}", text.chars().count());
-            reader.report(&declarations::TEXT_TOO_LONG, columns, message);
-        }
+    ) && entry.name == "STR"
+        && text.chars().count() > len as usize
+    {
+        let columns = line.operands[1].columns.clone();
+        let message = format!("the text has {} characters, the buffer {len}", text.chars().count());
+        reader.report(&declarations::TEXT_TOO_LONG, columns, message);
+    }
+}
+
+/// What a STR lies over.
+fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
+    let Some(expr) = line.operands.get(1) else { return };
+    if matches!(expr.kind, ExprKind::Text(_) | ExprKind::Missing | ExprKind::Error) {
+        return;
+    }
+    let Some(Operand::Area { address, .. }) = data::area(reader, expr, Access::ReadWrite) else { return };
+    let own =
+        line.label.as_ref().and_then(|label| reader.symbol(&label.text)).map(|symbol| symbol.kind.clone());
+    let under = reader.symbol(&address.symbol.name).cloned();
+    if let (Some(SymbolKind::Text { len }), Some(under)) = (own, under) {
+        reader.overrun(expr.columns.clone(), &under, address.offset, len.saturating_add(1));
     }
 }
 
@@ -129,7 +154,12 @@ fn names_in<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
     }
 }
 
-fn one(reader: &mut CodeReader<'_>, entry: &'static Entry, spec: &OperandSpec, expr: &Expr) -> Option<Operand> {
+fn one(
+    reader: &mut CodeReader<'_>,
+    entry: &'static Entry,
+    spec: &OperandSpec,
+    expr: &Expr,
+) -> Option<Operand> {
     match &expr.kind {
         ExprKind::Missing => {
             if spec.skippable || spec.optional {
@@ -140,7 +170,9 @@ fn one(reader: &mut CodeReader<'_>, entry: &'static Entry, spec: &OperandSpec, e
             reader.report(&rules::OPERAND_COUNT, columns, message);
             return None;
         }
-        ExprKind::Dash if spec.skippable || matches!(spec.kind, OperandKind::AutoCounter | OperandKind::Any) => {
+        ExprKind::Dash
+            if spec.skippable || matches!(spec.kind, OperandKind::AutoCounter | OperandKind::Any) =>
+        {
             return Some(Operand::Skipped);
         }
         ExprKind::Name(name)
@@ -163,13 +195,14 @@ fn one(reader: &mut CodeReader<'_>, entry: &'static Entry, spec: &OperandSpec, e
     let counters = PrefixSet::of(&[catalogue::Prefix::Byte, catalogue::Prefix::Word]);
     match spec.kind {
         OperandKind::Bit { access, negatable, extended } => {
-            data::bit(reader, expr, &data::BitRules { access, negatable, extended })
+            bits::bit(reader, expr, &bits::BitRules { access, negatable, extended })
         }
         OperandKind::Data { access, prefixes, declared, negatable } => {
             data::value(reader, entry, expr, &data::ValueRules { access, prefixes, declared, negatable })
         }
         OperandKind::Value(prefixes) => {
-            let rules = data::ValueRules { access: Access::Read, prefixes, declared: prefixes, negatable: false };
+            let rules =
+                data::ValueRules { access: Access::Read, prefixes, declared: prefixes, negatable: false };
             data::value(reader, entry, expr, &rules)
         }
         OperandKind::AutoCounter => {
@@ -182,7 +215,10 @@ fn one(reader: &mut CodeReader<'_>, entry: &'static Entry, spec: &OperandSpec, e
             data::value(reader, entry, expr, &rules)
         }
         OperandKind::Time => data::time(reader, entry, expr),
-        OperandKind::Address(access) => data::area(reader, expr, access),
+        OperandKind::Address(access) => match whole_area(entry, expr) {
+            Some(word) => Some(Operand::Keyword(word)),
+            None => data::area(reader, expr, access),
+        },
         OperandKind::Text(access) => data::text(reader, expr, access),
         OperandKind::TextOrLiteral => match &expr.kind {
             ExprKind::Text(text) => Some(Operand::Text(Arc::from(text.as_str()))),
@@ -215,6 +251,13 @@ fn one(reader: &mut CodeReader<'_>, entry: &'static Entry, spec: &OperandSpec, e
     }
 }
 
+/// `CLEAR GLOBAL,ALL` and `CLEAR INTERNAL,ALL`: the place decides which word it can be.
+fn whole_area(entry: &Entry, expr: &Expr) -> Option<&'static str> {
+    let ExprKind::Name(name) = &expr.kind else { return None };
+    let word = catalogue::entry(&name.text).filter(|word| word.kind == EntryKind::Keyword)?.name;
+    (entry.name == "CLEAR" && matches!(word, "GLOBAL" | "INTERNAL" | "ALL")).then_some(word)
+}
+
 fn label(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
     if let ExprKind::Name(name) = &expr.kind {
         return reader.label(name).map(Operand::Label);
@@ -230,7 +273,11 @@ fn routine(
     what: &str,
 ) -> Option<super::hir::SymbolKey> {
     let ExprKind::Name(name) = &expr.kind else {
-        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), format!("the name of {what} is needed here"));
+        reader.report(
+            &rules::OPERAND_KIND,
+            expr.columns.clone(),
+            format!("the name of {what} is needed here"),
+        );
         return None;
     };
     let symbol = reader.resolve(name, ReferenceAccess::Call)?;
@@ -243,10 +290,10 @@ fn routine(
 }
 
 fn keyword(reader: &mut CodeReader<'_>, expr: &Expr, words: &'static [&'static str]) -> Option<Operand> {
-    if let ExprKind::Name(name) = &expr.kind {
-        if let Some(word) = words.iter().find(|word| word.eq_ignore_ascii_case(&name.text)) {
-            return Some(Operand::Keyword(word));
-        }
+    if let ExprKind::Name(name) = &expr.kind
+        && let Some(word) = words.iter().find(|word| word.eq_ignore_ascii_case(&name.text))
+    {
+        return Some(Operand::Keyword(word));
     }
     let message = format!("{} is needed here", words.join(" or "));
     reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
@@ -272,7 +319,7 @@ pub(super) fn integer(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<i64> {
     let bare = super::address::without_prefix(expr);
     let shape = Shape::of(expr).ok();
     if let Some(prefix) = shape.as_ref().and_then(|shape| shape.prefix.as_ref()) {
-        data::misspelled(reader, prefix);
+        super::sum::misspelled(reader, prefix);
         if prefix.prefix != catalogue::Prefix::Cnst {
             let message = format!("{}. cannot stand before a number here", prefix.prefix.name());
             reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
@@ -315,9 +362,7 @@ fn any(reader: &mut CodeReader<'_>, expr: &Expr) -> Operand {
             return Operand::Keyword(word.name);
         }
     }
-    let mut used = Vec::new();
     let mut named = Vec::new();
-    constant::names(expr, &mut used);
     names_in(expr, &mut named);
     for name in named {
         let known = reader.symbol(&name.text).cloned();

@@ -68,7 +68,8 @@ impl Context {
             return None;
         }
         if self.included && entry.kind != EntryKind::Declaration {
-            let message = format!("an included file may not hold code; move {} into a program file", entry.name);
+            let message =
+                format!("an included file may not hold code; move {} into a program file", entry.name);
             return Some((&project_rules::INCLUDED_CODE, message));
         }
         if self.included {
@@ -89,7 +90,8 @@ impl Context {
 
     fn refuses_wait(&self, entry: &Entry) -> Option<Refusal> {
         if self.included {
-            let message = format!("an included file may not hold code; move {} into a program file", entry.name);
+            let message =
+                format!("an included file may not hold code; move {} into a program file", entry.name);
             return Some((&project_rules::INCLUDED_CODE, message));
         }
         let message = match self.kind {
@@ -101,7 +103,9 @@ impl Context {
                 entry.name,
                 kind.keyword()
             ),
-            SectionKind::Procedure => format!("{} may not stand in a procedure; put it into a mechanism", entry.name),
+            SectionKind::Procedure => {
+                format!("{} may not stand in a procedure; put it into a mechanism", entry.name)
+            }
             _ => format!("{} belongs into a mechanism", entry.name),
         };
         Some((&sequences::WAIT_OUTSIDE_SEQUENCE, message))
@@ -111,7 +115,8 @@ impl Context {
     pub(super) fn refuses_section(&self, entry: &Entry) -> Option<Refusal> {
         let inner = self.outer.last();
         if self.included && !matches!(self.kind, SectionKind::Macro | SectionKind::File) {
-            let message = format!("an included file may not hold {}; move it into a program file", entry.name);
+            let message =
+                format!("an included file may not hold {}; move it into a program file", entry.name);
             return Some((&project_rules::INCLUDED_CODE, message));
         }
         let module = |kind: ModuleKind| inner == Some(&SectionKind::Module(kind));

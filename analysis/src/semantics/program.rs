@@ -1,12 +1,13 @@
 //! The project as a whole: which sections take part in it, the names they declare, and their clashes.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 use technol_image::op::Width;
 
 use super::constant::{ConstExpr, NoValue};
+use super::constants::Constants;
 use super::declarations::{Declarations, Exports, What};
 use super::hir::{SymbolKey, SymbolScope};
 use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
@@ -48,7 +49,7 @@ pub struct Parts<'db> {
 }
 
 /// Finds the parts.
-pub(crate) fn parts<'db>(db: &'db dyn Db, project: Project) -> Parts<'db> {
+pub(crate) fn parts(db: &dyn Db, project: Project) -> Parts<'_> {
     let included: FxHashMap<&str, SourceFile> =
         project.included(db).iter().map(|file| (file.path(db).as_str(), *file)).collect();
     let mut walk = Walk { db, project, included, seen: BTreeMap::new(), found: Parts::default() };
@@ -104,15 +105,16 @@ impl<'db> Walk<'db> {
 }
 
 fn has_memory(db: &dyn Db, file: SourceFile) -> bool {
-    database::sections(db, file).iter().any(|section| !database::section_exports(db, *section).storage.is_empty())
+    database::sections(db, file)
+        .iter()
+        .any(|section| !database::section_exports(db, *section).storage.is_empty())
 }
 
 /// Names and memory of the project.
 pub(crate) fn scope(db: &dyn Db, project: Project) -> Scope {
     let parts = &database::parts(db, project).parts;
     let constants = Constants::resolve(db, parts);
-    let mut scope =
-        Scope { locals: vec![FxHashMap::default(); project.files(db).len()], ..Scope::default() };
+    let mut scope = Scope { locals: vec![FxHashMap::default(); project.files(db).len()], ..Scope::default() };
     for part in parts {
         let exports = database::section_exports(db, part.section);
         for (name, what) in &exports.names {
@@ -136,8 +138,7 @@ fn declare(
 ) {
     let key = SymbolKey { scope: owner(part, what), name: name.clone() };
     let kind = kind_of(part, exports, name, what, constants);
-    let routine =
-        || Routine { key: key.clone(), file: part.file, outer: part.section.outer(db).clone() };
+    let routine = || Routine { key: key.clone(), file: part.file, outer: part.section.outer(db).clone() };
     match what {
         What::Mechanism => scope.mechanisms.push(routine()),
         What::Procedure => scope.procedures.push(routine()),
@@ -162,11 +163,16 @@ fn declare(
 
 fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash> {
     let cell = |kind: &SymbolKind| {
-        matches!(kind, SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. })
+        matches!(
+            kind,
+            SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. }
+        )
     };
     match (before, now) {
         (SymbolKind::Constant(_), SymbolKind::Constant(_)) => conflict.then_some(Clash::Values),
-        (SymbolKind::Mechanism, other) | (other, SymbolKind::Mechanism) if cell(other) => Some(Clash::MechanismAndCell),
+        (SymbolKind::Mechanism, other) | (other, SymbolKind::Mechanism) if cell(other) => {
+            Some(Clash::MechanismAndCell)
+        }
         _ => Some(Clash::Twice),
     }
 }
@@ -209,7 +215,9 @@ fn owner(part: &Part<'_>, what: &What) -> SymbolScope {
 
 fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constants: &Constants) -> SymbolKind {
     // DFM and DS outside DATA are reported where they stand.
-    if part.kind == SectionKind::File && matches!(what, What::Bit { .. } | What::Cell { .. } | What::Area { .. }) {
+    if part.kind == SectionKind::File
+        && matches!(what, What::Bit { .. } | What::Cell { .. } | What::Area { .. })
+    {
         return SymbolKind::Unknown;
     }
     let length = |storage: u32| {
@@ -229,102 +237,16 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
             Some(len) => SymbolKind::Area { len },
             None => SymbolKind::Unknown,
         },
-        What::Text { storage: Some(storage), .. } => {
-            length(*storage).map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) })
-        }
+        What::Text { storage: Some(storage), .. } => length(*storage)
+            .map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) }),
         What::Text { len, .. } => SymbolKind::Text { len: *len },
-        What::Constant(_) => constants.values.get(name).copied().flatten().map_or(SymbolKind::Unknown, SymbolKind::Constant),
+        What::Constant(_) => {
+            constants.values.get(name).copied().flatten().map_or(SymbolKind::Unknown, SymbolKind::Constant)
+        }
         What::Mechanism => SymbolKind::Mechanism,
         What::Procedure => SymbolKind::Procedure,
         What::Macro => SymbolKind::Macro,
         What::Label | What::Unknown => SymbolKind::Unknown,
-    }
-}
-
-/// EQUI constants of the project.
-#[derive(Default)]
-struct Constants {
-    /// Value by key; `None` when it cannot be computed.
-    values: FxHashMap<Arc<str>, Option<i64>>,
-    /// Names with different values.
-    conflicts: BTreeSet<Arc<str>>,
-    /// Names at which a circle was found.
-    circular: BTreeSet<Arc<str>>,
-}
-
-impl Constants {
-    fn resolve(db: &dyn Db, parts: &[Part<'_>]) -> Constants {
-        let mut open: FxHashMap<Arc<str>, Vec<&ConstExpr>> = FxHashMap::default();
-        let mut known = Constants::default();
-        for part in parts {
-            let exports = database::section_exports(db, part.section);
-            for (index, (name, what)) in exports.names.iter().enumerate() {
-                if let What::Constant(value) = what {
-                    match (value, exports.expressions.iter().find(|(i, _)| *i == index as u32)) {
-                        (Some(value), _) => known.add(name, Some(*value)),
-                        (None, Some((_, expr))) => open.entry(name.clone()).or_default().push(expr),
-                        (None, None) => known.add(name, None),
-                    }
-                }
-            }
-        }
-        let names: BTreeSet<Arc<str>> = open.keys().cloned().collect();
-        let mut busy = BTreeSet::new();
-        for name in names {
-            known.compute(&name, &open, &mut busy);
-        }
-        known
-    }
-
-    fn add(&mut self, name: &Arc<str>, value: Option<i64>) {
-        match self.values.get(name) {
-            Some(before) if *before != value => {
-                self.conflicts.insert(name.clone());
-            }
-            Some(_) => {}
-            None => {
-                self.values.insert(name.clone(), value);
-            }
-        }
-    }
-
-    fn compute(
-        &mut self,
-        name: &Arc<str>,
-        open: &FxHashMap<Arc<str>, Vec<&ConstExpr>>,
-        busy: &mut BTreeSet<Arc<str>>,
-    ) {
-        let Some(exprs) = open.get(name) else { return };
-        // A chain so long that following it would exhaust the stack counts as a circle.
-        if busy.len() > 200 || !busy.insert(name.clone()) {
-            self.circular.insert(name.clone());
-            return;
-        }
-        for expr in exprs {
-            let mut needed = Vec::new();
-            expr.names(&mut needed);
-            for other in needed {
-                let other: Arc<str> = Arc::from(other);
-                if !self.values.contains_key(&other) {
-                    self.compute(&other, open, busy);
-                }
-            }
-            let value = self.value(expr).filter(|v| (-0x8000_0000..=0xFFFF_FFFF).contains(v));
-            self.add(name, value);
-        }
-        busy.remove(name);
-    }
-
-    fn value(&self, expr: &ConstExpr) -> Option<i64> {
-        expr.value(&mut |name| self.values.get(name).copied().flatten().or_else(|| system_constant(name))).ok()
-    }
-}
-
-/// The value of a predefined constant.
-fn system_constant(name: &str) -> Option<i64> {
-    match crate::catalogue::symbol(name)?.kind {
-        SystemKind::Constant(value) => Some(value),
-        _ => None,
     }
 }
 
@@ -381,7 +303,12 @@ pub(crate) fn constant(db: &dyn Db, project: Project, section: Section<'_>, name
 }
 
 /// Why the value of an expression is not known, as a section sees it.
-pub(crate) fn no_value(db: &dyn Db, project: Project, section: Section<'_>, expr: &ConstExpr) -> Option<NoValue> {
+pub(crate) fn no_value(
+    db: &dyn Db,
+    project: Project,
+    section: Section<'_>,
+    expr: &ConstExpr,
+) -> Option<NoValue> {
     expr.value(&mut |name| constant(db, project, section, name)).err()
 }
 
@@ -411,10 +338,18 @@ pub const fn width(prefix: Prefix) -> Width {
 }
 
 /// Whether bytes at an offset from a symbol lie in the data area the symbol belongs to.
-pub(crate) fn inside_data(db: &dyn Db, project: Project, symbol: &SymbolKey, offset: i64, bytes: u32) -> bool {
+pub(crate) fn inside_data(
+    db: &dyn Db,
+    project: Project,
+    symbol: &SymbolKey,
+    offset: i64,
+    bytes: u32,
+) -> bool {
     let layout = database::layout(db, project);
     let start = match symbol.scope {
-        SymbolScope::System => crate::catalogue::symbol(&symbol.name).and_then(|system| system_address(&system.kind)),
+        SymbolScope::System => {
+            crate::catalogue::symbol(&symbol.name).and_then(|system| system_address(&system.kind))
+        }
         SymbolScope::Global | SymbolScope::File(_) => layout.place(symbol).map(|placed| placed.addr),
     };
     // Without an address the layout failed, which is reported by itself.
@@ -436,80 +371,4 @@ fn system_address(kind: &SystemKind) -> Option<u32> {
         | SystemKind::Area { addr, .. } => Some(*addr),
         SystemKind::FormalBit { .. } | SystemKind::Constant(_) => None,
     }
-}
-
-/// A PROC_CALL that closes a circle.
-#[derive(Clone, Debug, PartialEq, Eq, salsa::SalsaValue)]
-pub struct RecursiveCall<'db> {
-    /// The procedure it stands in.
-    pub section: Section<'db>,
-    /// 0-based own line.
-    pub line: u32,
-    /// Columns of the called name.
-    pub columns: std::ops::Range<u32>,
-    /// The circle in words.
-    pub circle: String,
-}
-
-/// One call for each circle of procedures.
-pub(crate) fn recursive_calls<'db>(db: &'db dyn Db, project: Project) -> Vec<RecursiveCall<'db>> {
-    let mut calls: BTreeMap<SymbolKey, Vec<RecursiveCall<'db>>> = BTreeMap::new();
-    let mut edges: BTreeMap<SymbolKey, Vec<SymbolKey>> = BTreeMap::new();
-    for part in &database::parts(db, project).parts {
-        if part.kind != SectionKind::Procedure {
-            continue;
-        }
-        let own = SymbolKey { scope: SymbolScope::Global, name: part.section.name(db).clone() };
-        for (called, line, columns) in &database::section_analysis(db, project, part.section).calls {
-            edges.entry(own.clone()).or_default().push(called.clone());
-            let call = RecursiveCall {
-                section: part.section,
-                line: *line,
-                columns: columns.clone(),
-                circle: String::new(),
-            };
-            calls.entry(own.clone()).or_default().push(call);
-        }
-    }
-    let mut found = Vec::new();
-    let mut covered = BTreeSet::new();
-    for (start, targets) in &edges {
-        for (index, target) in targets.iter().enumerate() {
-            let Some(circle) = path(&edges, target, start) else { continue };
-            if !circle.iter().any(|key| covered.contains(key)) {
-                let mut call = calls[start][index].clone();
-                let names: Vec<&str> =
-                    std::iter::once(start).chain(&circle).map(|key| &*key.name).collect();
-                call.circle = names.join(" → ");
-                found.push(call);
-            }
-            covered.extend(circle);
-        }
-    }
-    found
-}
-
-/// The shortest way from one procedure to another, both included.
-fn path(edges: &BTreeMap<SymbolKey, Vec<SymbolKey>>, from: &SymbolKey, to: &SymbolKey) -> Option<Vec<SymbolKey>> {
-    let mut before: BTreeMap<&SymbolKey, Option<&SymbolKey>> = BTreeMap::from([(from, None)]);
-    let mut queue = std::collections::VecDeque::from([from]);
-    while let Some(at) = queue.pop_front() {
-        if at == to {
-            let mut way = vec![at.clone()];
-            let mut step = at;
-            while let Some(Some(previous)) = before.get(step) {
-                way.push((*previous).clone());
-                step = previous;
-            }
-            way.reverse();
-            return Some(way);
-        }
-        for next in edges.get(at).into_iter().flatten() {
-            before.entry(next).or_insert_with(|| {
-                queue.push_back(next);
-                Some(at)
-            });
-        }
-    }
-    None
 }

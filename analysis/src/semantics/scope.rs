@@ -47,7 +47,7 @@ pub enum SymbolKind {
     },
     /// A constant.
     Constant(i64),
-    /// A mechanism: its activation bit is bit 0 of its byte.
+    /// A mechanism; stands for its activation bit, whose number the layout gives.
     Mechanism,
     /// `mech_LINE` of a mechanism: a WORD.
     MechanismLine,

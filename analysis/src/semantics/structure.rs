@@ -48,7 +48,7 @@ pub fn closing(kind: SectionKind) -> String {
 }
 
 /// Mistakes in the structure of a file, each in the section it belongs to.
-pub(crate) fn check<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<(Section<'db>, Finding)> {
+pub(crate) fn check(db: &dyn Db, file: SourceFile) -> Vec<(Section<'_>, Finding)> {
     let mut check = Check { db, sections: database::sections(db, file), found: Vec::new() };
     let strays = check.stray_ends();
     let misspelled = check.misspelled();
@@ -109,7 +109,8 @@ impl<'db> Check<'db> {
             }
             let lines = self.lines(*section);
             for (number, line) in lines.iter().enumerate() {
-                let own_end = kind != SectionKind::File && section.closed(self.db) && number + 1 == lines.len();
+                let own_end =
+                    kind != SectionKind::File && section.closed(self.db) && number + 1 == lines.len();
                 let Some(operation) = line.operation.as_ref().filter(|_| !own_end) else { continue };
                 let keyword = operation.text.to_ascii_uppercase();
                 let is_end = keyword.ends_with("_END") || keyword == "END_T_MACRO";
@@ -148,8 +149,7 @@ impl<'db> Check<'db> {
         for section in self.sections {
             let kind = section.kind(self.db);
             let end = closing(kind);
-            if section.closed(self.db)
-                || misspelled.iter().any(|m| m.section == *section && m.keyword == end)
+            if section.closed(self.db) || misspelled.iter().any(|m| m.section == *section && m.keyword == end)
             {
                 continue;
             }
@@ -179,9 +179,10 @@ impl<'db> Check<'db> {
             let wanted = closing(kind);
             if !operation.text.eq_ignore_ascii_case(&wanted) {
                 let message = format!("{} is open here; it is closed by {wanted}", opening(kind));
-                let finding = Finding::new(&rules::UNEXPECTED_END, number, operation.columns.clone(), message)
-                    .beside(0, self.opening_columns(*section), "it begins here")
-                    .replace(format!("write {wanted}"), operation.columns.clone(), wanted.as_str());
+                let finding =
+                    Finding::new(&rules::UNEXPECTED_END, number, operation.columns.clone(), message)
+                        .beside(0, self.opening_columns(*section), "it begins here")
+                        .replace(format!("write {wanted}"), operation.columns.clone(), wanted.as_str());
                 self.add(*section, finding);
                 continue;
             }
@@ -266,12 +267,12 @@ impl<'db> Check<'db> {
                 )
         });
         let data = self.sections.iter().find(|section| section.kind(self.db) == SectionKind::Data);
-        if let (Some(top), Some(data)) = (top, data) {
-            if top != data {
-                let message = format!("DATA must stand before {}", opening(top.kind(self.db)));
-                let finding = Finding::new(&rules::DATA_NOT_FIRST, 0, self.opening_columns(*data), message);
-                self.add(*data, finding);
-            }
+        if let (Some(top), Some(data)) = (top, data)
+            && top != data
+        {
+            let message = format!("DATA must stand before {}", opening(top.kind(self.db)));
+            let finding = Finding::new(&rules::DATA_NOT_FIRST, 0, self.opening_columns(*data), message);
+            self.add(*data, finding);
         }
     }
 
@@ -279,7 +280,9 @@ impl<'db> Check<'db> {
         let mut found = Vec::new();
         for section in self.sections {
             for (number, line) in self.lines(*section).iter().enumerate() {
-                if let Some(name) = line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("STOP")) {
+                if let Some(name) =
+                    line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("STOP"))
+                {
                     found.push((*section, number as u32, name.columns.clone()));
                 }
             }
@@ -298,7 +301,8 @@ impl<'db> Check<'db> {
         if section.kind(self.db) != SectionKind::File {
             // Within a section that is never closed it stands there only because of that.
             if section.closed(self.db) {
-                let message = format!("STOP stands inside {}; move it to the end", opening(section.kind(self.db)));
+                let message =
+                    format!("STOP stands inside {}; move it to the end", opening(section.kind(self.db)));
                 self.add(section, Finding::new(&rules::STOP_MISPLACED, line, columns, message));
             }
             return;
@@ -324,7 +328,9 @@ impl<'db> Check<'db> {
             .flat_map(|section| {
                 let lines = self.lines(*section).iter().enumerate();
                 let spoken = lines.filter(|(_, line)| line.operation.is_some());
-                spoken.map(|(number, line)| (file_line(self.db, *section, number as u32), *section, number, line))
+                spoken.map(|(number, line)| {
+                    (file_line(self.db, *section, number as u32), *section, number, line)
+                })
             })
             .max_by_key(|(at, ..)| *at);
         let (section, number, columns) = match last {
@@ -345,7 +351,11 @@ fn is_main_only(kind: SectionKind) -> bool {
     matches!(
         kind,
         SectionKind::Module(
-            ModuleKind::Input | ModuleKind::BlockInit | ModuleKind::BlockDone | ModuleKind::Halt | ModuleKind::Cont
+            ModuleKind::Input
+                | ModuleKind::BlockInit
+                | ModuleKind::BlockDone
+                | ModuleKind::Halt
+                | ModuleKind::Cont
         )
     )
 }

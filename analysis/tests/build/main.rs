@@ -29,11 +29,11 @@ fn project(files: &[(&str, &str)]) -> Analysis {
 }
 
 fn built(analysis: &Analysis) -> Built {
-    analysis.build().unwrap().unwrap_or_else(|errors| panic!("{}", shown(&errors)))
+    analysis.build().expect("nothing cancels it").unwrap_or_else(|errors| panic!("{}", shown(&errors)))
 }
 
 fn refused(analysis: &Analysis) -> Vec<(String, Diagnostic)> {
-    match analysis.build().unwrap() {
+    match analysis.build().expect("nothing cancels it") {
         Ok(_) => panic!("the build was expected to fail"),
         Err(errors) => errors,
     }

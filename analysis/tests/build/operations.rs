@@ -28,7 +28,7 @@ const COUNTERS: u32 = 0x8018 + 1 + 2 * 6;
 fn main_ops(lines: &str) -> Vec<Op> {
     let built = built_source(DATA, lines);
     let (program, _) = parts(&built);
-    let main = program.modules.iter().find(|m| m.kind == ModuleKind::Main).unwrap();
+    let main = program.modules.iter().find(|m| m.kind == ModuleKind::Main).expect("every file has one");
     let ops = &program.code[main.start as usize..main.end as usize];
     assert_eq!(ops.last(), Some(&Op::ModuleEnd));
     ops[..ops.len() - 1].to_vec()
@@ -36,8 +36,7 @@ fn main_ops(lines: &str) -> Vec<Op> {
 
 fn check(rows: &[(&str, &[Op])]) {
     for (source, expected) in rows {
-        let lines: String = source.split(" / ").map(|line| format!("{line}\n")).collect();
-        assert_eq!(main_ops(&lines), *expected, "{source}");
+        assert_eq!(main_ops(&(source.replace(" / ", "\n") + "\n")), *expected, "{source}");
     }
 }
 
@@ -74,7 +73,13 @@ fn bit_logic() {
         ("LDR A / LX B / WR H", &[ldr(A, false, false), logic(Logic::Xor, false), Op::Write(H)]),
         (
             "LDR A / LDR -B / LO / CA / WR H",
-            &[ldr(A, false, false), ldr(B, true, true), Op::LogicPop(Logic::Or), Op::Complement, Op::Write(H)],
+            &[
+                ldr(A, false, false),
+                ldr(B, true, true),
+                Op::LogicPop(Logic::Or),
+                Op::Complement,
+                Op::Write(H),
+            ],
         ),
         ("LDR A / WR B,H,BIG.A", &[ldr(A, false, false), Op::Write(B), Op::Write(H), Op::Write(bit(BIG, 0))]),
         ("LDR (BIG+3).H / WR $+2.B", &[ldr(bit(BIG + 3, 7), false, false), Op::Write(bit(CTL + 2, 1))]),
@@ -122,12 +127,15 @@ fn loads_and_stores_at_every_width() {
     check(&[
         ("LOD BYT / STO WRD", &[lod(cell(BYT), Width::Byte), store(WRD, word, Cond::Always)]),
         ("LOD WORD.BIG / STO HIGH.WRD", &[lod(cell(BIG), word), store(WRD + 1, Width::Byte, Cond::Always)]),
-        ("LOD DWRD.(BIG+4) / STO DWD", &[lod(cell(BIG + 4), Width::DWord), store(DWD, Width::DWord, Cond::Always)]),
+        (
+            "LOD DWRD.(BIG+4) / STO DWD",
+            &[lod(cell(BIG + 4), Width::DWord), store(DWD, Width::DWord, Cond::Always)],
+        ),
         ("LOD QWRD.BIG", &[lod(cell(BIG), Width::QWord)]),
-        ("LOD REAL.BIG / STO REAL.(BIG+8)", &[
-            lod(cell(BIG), Width::Real),
-            store(BIG + 8, Width::Real, Cond::Always),
-        ]),
+        (
+            "LOD REAL.BIG / STO REAL.(BIG+8)",
+            &[lod(cell(BIG), Width::Real), store(BIG + 8, Width::Real, Cond::Always)],
+        ),
         ("LOD -WRD", &[Op::Load { src: cell(WRD), width: word, neg: true }]),
         ("LOD CNST.0F8h", &[lod(Source::Int(248), Width::DWord)]),
         ("LOD CNST.-5", &[lod(Source::Int(-5), Width::DWord)]),
@@ -137,10 +145,13 @@ fn loads_and_stores_at_every_width() {
         ("LDR A / STO1 BYT", &[ldr(A, false, false), store(BYT, Width::Byte, Cond::IfRlo)]),
         ("LDR A / STO0 WRD", &[ldr(A, false, false), store(WRD, word, Cond::IfNotRlo)]),
         ("MOVE WORD.BIG,WRD", &[Op::Move { dst: at(BIG), src: at(WRD), width: word, cond: Cond::Always }]),
-        ("LDR A / MOVE1 BYT,HIGH.WRD", &[
-            ldr(A, false, false),
-            Op::Move { dst: at(BYT), src: at(WRD + 1), width: Width::Byte, cond: Cond::IfRlo },
-        ]),
+        (
+            "LDR A / MOVE1 BYT,HIGH.WRD",
+            &[
+                ldr(A, false, false),
+                Op::Move { dst: at(BYT), src: at(WRD + 1), width: Width::Byte, cond: Cond::IfRlo },
+            ],
+        ),
     ]);
 }
 
@@ -151,47 +162,67 @@ fn arithmetic_and_comparison() {
     let unary = |op, width| Op::Unary { op, width };
     let seven = Source::Int(7);
     check(&[
-        ("AD BYT / SU WRD", &[arith(Arith::Add, cell(BYT), Width::Byte), arith(Arith::Sub, cell(WRD), Width::Word)]),
+        (
+            "AD BYT / SU WRD",
+            &[arith(Arith::Add, cell(BYT), Width::Byte), arith(Arith::Sub, cell(WRD), Width::Word)],
+        ),
         ("LOD DWD / MULB CNST.7", &[lod(cell(DWD), Width::DWord), arith(Arith::Mul, seven, Width::DWord)]),
         ("LOD DWD / DIVB WRD", &[lod(cell(DWD), Width::DWord), arith(Arith::Div, cell(WRD), Width::Word)]),
         ("MULB REAL.BIG", &[arith(Arith::Mul, cell(BIG), Width::Real)]),
-        ("ORB BYT / ANDB WRD / XORB QWRD.BIG", &[
-            arith(Arith::Or, cell(BYT), Width::Byte),
-            arith(Arith::And, cell(WRD), Width::Word),
-            arith(Arith::Xor, cell(BIG), Width::QWord),
-        ]),
+        (
+            "ORB BYT / ANDB WRD / XORB QWRD.BIG",
+            &[
+                arith(Arith::Or, cell(BYT), Width::Byte),
+                arith(Arith::And, cell(WRD), Width::Word),
+                arith(Arith::Xor, cell(BIG), Width::QWord),
+            ],
+        ),
         ("EQ CNST.7 / WR A", &[compare(Compare::Eq, seven, Width::DWord), Op::Write(A)]),
         ("LT BYT / WR A", &[compare(Compare::Lt, cell(BYT), Width::Byte), Op::Write(A)]),
         ("GE REAL.BIG / WR A", &[compare(Compare::Ge, cell(BIG), Width::Real), Op::Write(A)]),
-        ("LDR A / EQ1 WRD / WR A", &[
-            ldr(A, false, false),
-            Op::Compare { op: Compare::Eq, src: cell(WRD), width: Width::Word, if_rlo: true },
-            Op::Write(A),
-        ]),
-        ("INR / DCR DWRD / INV QWRD / ABS REAL", &[
-            unary(Unary::Increment, Width::Word),
-            unary(Unary::Decrement, Width::DWord),
-            unary(Unary::Negate, Width::QWord),
-            unary(Unary::Absolute, Width::Real),
-        ]),
-        ("INRBCD / BIN / BCD DWRD", &[Op::IncrementBcd, Op::BcdToBin(Width::Word), Op::BinToBcd(Width::DWord)]),
-        ("RL CNST.3 / RR BYT,QWRD", &[
-            Op::Shift { left: true, count: Source::Int(3), width: Width::Word },
-            Op::Shift { left: false, count: cell(BYT), width: Width::QWord },
-        ]),
-        ("CONDR / WR A / CONDR DWRD / WR A / CONDR 31 / WR A", &[
-            Op::DrToRlo(DrTest::NonZero(Width::Word)),
-            Op::Write(A),
-            Op::DrToRlo(DrTest::NonZero(Width::DWord)),
-            Op::Write(A),
-            Op::DrToRlo(DrTest::Bit(31)),
-            Op::Write(A),
-        ]),
-        ("LDR A / CONRD DWRD / REAL DWRD", &[
-            ldr(A, false, false),
-            Op::RloToDr(Width::DWord),
-            Op::IntToReal(Width::DWord),
-        ]),
+        (
+            "LDR A / EQ1 WRD / WR A",
+            &[
+                ldr(A, false, false),
+                Op::Compare { op: Compare::Eq, src: cell(WRD), width: Width::Word, if_rlo: true },
+                Op::Write(A),
+            ],
+        ),
+        (
+            "INR / DCR DWRD / INV QWRD / ABS REAL",
+            &[
+                unary(Unary::Increment, Width::Word),
+                unary(Unary::Decrement, Width::DWord),
+                unary(Unary::Negate, Width::QWord),
+                unary(Unary::Absolute, Width::Real),
+            ],
+        ),
+        (
+            "INRBCD / BIN / BCD DWRD",
+            &[Op::IncrementBcd, Op::BcdToBin(Width::Word), Op::BinToBcd(Width::DWord)],
+        ),
+        (
+            "RL CNST.3 / RR BYT,QWRD",
+            &[
+                Op::Shift { left: true, count: Source::Int(3), width: Width::Word },
+                Op::Shift { left: false, count: cell(BYT), width: Width::QWord },
+            ],
+        ),
+        (
+            "CONDR / WR A / CONDR DWRD / WR A / CONDR 31 / WR A",
+            &[
+                Op::DrToRlo(DrTest::NonZero(Width::Word)),
+                Op::Write(A),
+                Op::DrToRlo(DrTest::NonZero(Width::DWord)),
+                Op::Write(A),
+                Op::DrToRlo(DrTest::Bit(31)),
+                Op::Write(A),
+            ],
+        ),
+        (
+            "LDR A / CONRD DWRD / REAL DWRD",
+            &[ldr(A, false, false), Op::RloToDr(Width::DWord), Op::IntToReal(Width::DWord)],
+        ),
         ("MOV BX,CX", &[Op::IndexFromDr]),
     ]);
 }
@@ -212,25 +243,34 @@ fn memory_blocks() {
 #[test]
 fn timers_and_counters() {
     check(&[
-        ("DFTM1 E / LDR A / LOD CNST.5 / TM - / FL1 1,B / E:", &[
-            Op::Raster { rate: Raster::Second, end: 5 },
-            ldr(A, false, false),
-            lod(Source::Int(5), Width::DWord),
-            Op::Timer { count: at(COUNTERS), width: Width::Word },
-            Op::Flag { value: true, bit: B, cond: Cond::IfRlo },
-        ]),
-        ("DFTM01 E / LDR A / TM BYT / WR B / E:", &[
-            Op::Raster { rate: Raster::Tenth, end: 4 },
-            ldr(A, false, false),
-            Op::Timer { count: at(BYT), width: Width::Byte },
-            Op::Write(B),
-        ]),
-        ("LDR A / LOD BYT / CU WRD / JL0 E / E:", &[
-            ldr(A, false, false),
-            lod(cell(BYT), Width::Byte),
-            Op::Counter { op: Count::Up, count: at(WRD), width: Width::Word, state: COUNTERS },
-            Op::Jump { target: 4, cond: Cond::IfNotRlo },
-        ]),
+        (
+            "DFTM1 E / LDR A / LOD CNST.5 / TM - / FL1 1,B / E:",
+            &[
+                Op::Raster { rate: Raster::Second, end: 5 },
+                ldr(A, false, false),
+                lod(Source::Int(5), Width::DWord),
+                Op::Timer { count: at(COUNTERS), width: Width::Word },
+                Op::Flag { value: true, bit: B, cond: Cond::IfRlo },
+            ],
+        ),
+        (
+            "DFTM01 E / LDR A / TM BYT / WR B / E:",
+            &[
+                Op::Raster { rate: Raster::Tenth, end: 4 },
+                ldr(A, false, false),
+                Op::Timer { count: at(BYT), width: Width::Byte },
+                Op::Write(B),
+            ],
+        ),
+        (
+            "LDR A / LOD BYT / CU WRD / JL0 E / E:",
+            &[
+                ldr(A, false, false),
+                lod(cell(BYT), Width::Byte),
+                Op::Counter { op: Count::Up, count: at(WRD), width: Width::Word, state: COUNTERS },
+                Op::Jump { target: 4, cond: Cond::IfNotRlo },
+            ],
+        ),
     ]);
 }
 
@@ -274,7 +314,7 @@ MECH_INIT TWO
 ";
     let built = built_source(DATA, main);
     let (program, _) = parts(&built);
-    let line = |n: u16| n + 8;
+    let line = |n: u16| n + 9;
     let one = &program.sequences[0];
     let expected = [
         Op::SeqBegin(0),
@@ -345,5 +385,5 @@ fn procedures_are_passed_over() {
     assert_eq!((late.name.as_str(), late.start, late.end), ("LATE", 2, 5));
     // The jump around it and the end of the module are no statements; PROC_END is one.
     assert_eq!(program.statements[..5], [0, 2, 3, 4, 5]);
-    assert_eq!(debug.position(4), Some(("main.plc", 13)));
+    assert_eq!(debug.position(4), Some(("main.plc", 14)));
 }

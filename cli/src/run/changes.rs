@@ -1,10 +1,11 @@
-//! `--set NAME=VALUE[@CYCLE]` and `--fault NAME[@CYCLE]`: what is done to the program and its machine, and when.
+//! `--set NAME=VALUE[@CYCLE]`, `--fault NAME[@CYCLE]`, `--press KEY[@CYCLE]`, `--release KEY[@CYCLE]`: what is done to the program and its machine, and when.
 
 use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_image::system::{IN_PORT_COUNT, IN_PORTS};
 use technol_image::{DebugInfo, Program};
 use technol_target::Simulation;
 
+use crate::arguments::RunArguments;
 use crate::exit::Failure;
 
 /// One change, before cycle `cycle`.
@@ -16,6 +17,7 @@ struct Change {
 enum What {
     Set(Assignment),
     Fault(String),
+    Key { name: String, down: bool },
 }
 
 /// All changes, in the order they were given.
@@ -26,31 +28,38 @@ pub(super) struct Changes {
 impl Changes {
     /// Reads the options; every name and value is checked against the program.
     pub(super) fn parse(
-        sets: &[String],
-        faults: &[String],
+        arguments: &RunArguments,
         debug: &DebugInfo,
         program: &Program,
     ) -> Result<Changes, Failure> {
         let mut changes = Vec::new();
-        for text in sets {
+        for text in &arguments.set {
             changes.push(set(text, debug, program)?);
         }
-        for text in faults {
+        for text in &arguments.fault {
             let (name, cycle) = at_cycle("--fault", text)?;
             changes.push(Change { cycle, what: What::Fault(name.to_owned()) });
+        }
+        for (option, texts, down) in
+            [("--press", &arguments.press, true), ("--release", &arguments.release, false)]
+        {
+            for text in texts {
+                let (name, cycle) = at_cycle(option, text)?;
+                changes.push(Change { cycle, what: What::Key { name: name.to_owned(), down } });
+            }
         }
         Ok(Changes { changes })
     }
 
-    /// Checks the names of faults against the machine.
+    /// Checks the names of faults and keys against the machine.
     pub(super) fn check(&self, simulation: &Simulation) -> Result<(), Failure> {
-        let known: Vec<&str> = simulation.plant().faults().map(|(name, _)| name).collect();
+        let faults: Vec<&str> = simulation.plant().faults().map(|(name, _)| name).collect();
+        let keys: Vec<&str> = simulation.plant().keys().map(|(name, _)| name).collect();
         for change in &self.changes {
-            if let What::Fault(name) = &change.what
-                && !known.contains(&name.as_str())
-            {
-                let list = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-                return Err(Failure::usage(format!("--fault {name}: the machine has no such fault; it has: {list}")));
+            match &change.what {
+                What::Set(_) => {}
+                What::Fault(name) => known("fault", name, &faults)?,
+                What::Key { name, .. } => known("key", name, &keys)?,
             }
         }
         Ok(())
@@ -65,10 +74,22 @@ impl Changes {
                     .plant_mut()
                     .set_fault(name, true)
                     .map_err(|e| Failure::usage(format!("--fault {name}: {e}")))?,
+                What::Key { name, down } => simulation
+                    .plant_mut()
+                    .press(name, *down)
+                    .map_err(|e| Failure::usage(format!("key {name}: {e}")))?,
             }
         }
         Ok(())
     }
+}
+
+fn known(what: &str, name: &str, names: &[&str]) -> Result<(), Failure> {
+    if names.contains(&name) {
+        return Ok(());
+    }
+    let list = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+    Err(Failure::usage(format!("the machine has no {what} `{name}`; it has: {list}")))
 }
 
 /// `TEXT[@CYCLE]`

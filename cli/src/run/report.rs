@@ -10,6 +10,7 @@ use super::changes::{resolve, values};
 use crate::arguments::Format;
 use crate::exit::Failure;
 use crate::paint::Paint;
+use crate::out::say;
 
 /// The names to print and what they stand for.
 pub(super) struct Wanted {
@@ -74,7 +75,7 @@ pub(super) struct Run<'a> {
 impl Run<'_> {
     pub(super) fn print(&self, wanted: &Wanted, format: Format) {
         match format {
-            Format::Json => println!("{}", self.json(wanted)),
+            Format::Json => say!("{}", self.json(wanted)),
             Format::Human => self.human(wanted),
         }
     }
@@ -125,11 +126,11 @@ impl Run<'_> {
     fn human(&self, wanted: &Wanted) {
         let paint = Paint::stdout();
         let runtime = self.simulation.runtime();
-        println!("{} cycles ({:.2} s), PLC {:?}", self.cycles, self.cycles as f64 * 0.02, runtime.state());
+        say!("{} cycles ({:.2} s), PLC {:?}", self.cycles, self.cycles as f64 * 0.02, runtime.state());
         for message in super::messages(self.events, self.debug) {
             let (file, line) = message.place.unwrap_or(("?", 0));
             let removed = if message.set { "" } else { " removed" };
-            println!(
+            say!(
                 "  cycle {:>6}  {}{removed}  {}",
                 message.cycle,
                 paint.yellow(format!("PLC{:05}", message.number)),
@@ -139,10 +140,10 @@ impl Run<'_> {
         let width = wanted.names.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
         for (name, target) in &wanted.names {
             let value = self.value(*target).map_or_else(|| "no value".to_owned(), |v| v.to_string());
-            println!("  {name:<width$}  {}", paint.cyan(value));
+            say!("  {name:<width$}  {}", paint.cyan(value));
         }
         let registers = runtime.registers();
-        println!(
+        say!(
             "  RLO {}  DR {} ({:#x})  DR_REAL {:?}",
             u8::from(registers.rlo),
             registers.dr,
@@ -152,7 +153,7 @@ impl Run<'_> {
         if let Some(fault) = runtime.fault() {
             let (file, line) = self.debug.position(fault.pc).unwrap_or(("?", 0));
             let within = self.mechanism(fault).unwrap_or_else(|| fault.module.keyword());
-            println!(
+            say!(
                 "{}: {} at {file}:{line} in {within}, cycle {}",
                 paint.red("PLC fault"),
                 fault.kind,

@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use dap::requests::{BreakpointLocationsArguments, SetBreakpointsArguments, SetExceptionBreakpointsArguments};
+use dap::requests::{
+    BreakpointLocationsArguments, SetBreakpointsArguments, SetExceptionBreakpointsArguments,
+};
 use dap::responses::{BreakpointLocationsResponse, SetBreakpointsResponse, SetExceptionBreakpointsResponse};
 use dap::types::{Breakpoint, BreakpointLocation};
 
+use technol_analysis::project::decode;
 use technol_image::container::hash_bytes;
 use technol_image::op::Pc;
 use technol_wire::message::{BreakpointState, Request as Ask, Response};
@@ -54,6 +57,13 @@ impl Breakpoints {
         pcs.sort_unstable();
         pcs.dedup();
         pcs
+    }
+
+    /// The program was built from the files as they are now.
+    pub(super) fn forget_modifications(&mut self) {
+        for file in self.files.values_mut() {
+            file.modified = false;
+        }
     }
 
     /// Replaces the break-points of a file; one at a line that had one keeps its number.
@@ -147,8 +157,13 @@ impl Session {
                 Ok((line, _)) => {
                     let moved = *line != asked.line;
                     let message = match (changed, moved) {
-                        (true, _) => Some("the file has changed since the build; restart to bring lines and code together".into()),
-                        (false, true) => Some(format!("line {} has no code; moved to the next line that has", asked.line)),
+                        (true, _) => Some(
+                            "the file has changed since the build; restart to bring lines and code together"
+                                .into(),
+                        ),
+                        (false, true) => {
+                            Some(format!("line {} has no code; moved to the next line that has", asked.line))
+                        }
                         (false, false) => None,
                     };
                     (*line, message)
@@ -169,11 +184,13 @@ impl Session {
 
     /// The file on disk is not what the program was built from.
     fn differs_from_build(&self, path: &str) -> bool {
-        let built = self.debuggee.as_ref().and_then(|d| {
-            let file = d.map.file(path)?;
-            Some((d.map.path(file)?.to_owned(), d.debug.files.get(usize::from(file))?.hash))
-        });
-        built.is_some_and(|(path, hash)| std::fs::read(path).is_ok_and(|bytes| hash_bytes(&bytes) != hash))
+        let Some(debuggee) = &self.debuggee else { return false };
+        let Some(file) = debuggee.map.file(path) else { return false };
+        let built = debuggee.debug.files.get(usize::from(file)).map(|f| f.hash);
+        let now = debuggee.map.path(file).and_then(|path| std::fs::read(path).ok());
+        // The build sees the decoded text.
+        let text = now.map(|bytes| decode(&bytes, debuggee.project.encoding).text);
+        text.is_some_and(|text| Some(hash_bytes(text.as_bytes())) != built)
     }
 
     pub(super) fn set_exception_breakpoints(&mut self, request: &Request) -> Answer {
@@ -226,7 +243,10 @@ fn conditions(request: &Request) -> impl Iterator<Item = bool> {
 
 fn place(debuggee: &Debuggee, path: &str, asked: &Asked) -> Result<(u32, Vec<Pc>), String> {
     if asked.conditional {
-        return Err("conditions, hit counts and log points are not available on this target; use a plain break-point".into());
+        return Err(
+            "conditions, hit counts and log points are not available on this target; use a plain break-point"
+                .into(),
+        );
     }
     let Some(file) = debuggee.map.file(path) else {
         return Err("the file does not belong to the program".into());

@@ -119,7 +119,8 @@ impl Session {
         let cursor = usize::try_from(arguments.column - self.client.first_column).unwrap_or(0);
         let before: String = arguments.text.chars().take(cursor).collect();
         let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '?' | '@');
-        let word: String = before.chars().rev().take_while(|c| is_part(*c)).collect::<Vec<_>>().into_iter().rev().collect();
+        let word: String =
+            before.chars().rev().take_while(|c| is_part(*c)).collect::<Vec<_>>().into_iter().rev().collect();
         let matches = |name: &str| name.to_lowercase().starts_with(&word.to_lowercase());
         let mut targets = Vec::new();
         if before.trim_start() == word {

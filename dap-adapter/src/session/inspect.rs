@@ -1,9 +1,9 @@
 //! Reading and writing what the tree shows.
 
+use dap::events::{Event, InvalidatedEventBody};
 use dap::requests::{SetVariableArguments, VariablesArguments};
 use dap::responses::{SetVariableResponse, VariablesResponse};
 use dap::types::{InvalidatedAreas, ValueFormat, Variable, VariablesArgumentsFilter};
-use dap::events::{Event, InvalidatedEventBody};
 
 use technol_analysis::expression::{Assignment, RegisterChange, ValueError};
 use technol_image::op::{Addr, Width};
@@ -178,9 +178,15 @@ impl Session {
         let text = values::typed(text);
         let read_only = |reason| Err(RequestError::ReadOnly { name: name.to_owned(), reason });
         match *shown {
-            Shown::Mechanism(n) | Shown::Detail(n, Detail::Active) => return self.switch(n, shown, name, text),
-            Shown::Detail(..) => return read_only("it follows from the state; start or stop the mechanism instead"),
-            Shown::Pushed(_) | Shown::Register(Register::Stack) => return read_only("the equation would not balance"),
+            Shown::Mechanism(n) | Shown::Detail(n, Detail::Active) => {
+                return self.switch(n, shown, name, text);
+            }
+            Shown::Detail(..) => {
+                return read_only("it follows from the state; start or stop the mechanism instead");
+            }
+            Shown::Pushed(_) | Shown::Register(Register::Stack) => {
+                return read_only("the equation would not balance");
+            }
             Shown::Area { .. } => return read_only("it is an area; set its bytes one by one"),
             Shown::Bit { .. } | Shown::Cell { .. } | Shown::Text { .. } | Shown::Register(_) => {}
         }
@@ -220,11 +226,21 @@ impl Session {
     }
 
     /// Starts a mechanism or puts it into rest: `start`, `stop`, or a bit.
-    fn switch(&mut self, sequence: u16, shown: &Shown, name: &str, text: &str) -> Result<String, RequestError> {
+    fn switch(
+        &mut self,
+        sequence: u16,
+        shown: &Shown,
+        name: &str,
+        text: &str,
+    ) -> Result<String, RequestError> {
         let active = match text.to_ascii_lowercase().as_str() {
             "start" | "1" | "true" => true,
             "stop" | "0" | "false" => false,
-            _ => return Err(RequestError::Value(format!("`{name}`: a mechanism takes 1 (start) or 0 (stop)"))),
+            _ => {
+                return Err(RequestError::Value(format!(
+                    "`{name}`: a mechanism takes 1 (start) or 0 (stop)"
+                )));
+            }
         };
         self.set_mechanism(sequence, active)?;
         Ok(match shown {

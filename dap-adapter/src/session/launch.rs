@@ -2,13 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use dap::events::{
-    BreakpointEventBody, Event, ExitedEventBody, ProcessEventBody, ThreadEventBody,
-};
+use dap::events::{BreakpointEventBody, Event, ExitedEventBody, ProcessEventBody, ThreadEventBody};
 use dap::requests::DisconnectArguments;
 use dap::types::{
-    BreakpointEventReason, Capabilities, ExceptionBreakpointsFilter, OutputEventCategory, ProcessEventStartMethod,
-    ThreadEventReason,
+    BreakpointEventReason, Capabilities, ExceptionBreakpointsFilter, OutputEventCategory,
+    ProcessEventStartMethod, ThreadEventReason,
 };
 use serde_json::Value;
 
@@ -110,6 +108,7 @@ impl Session {
         let stop_on_entry = arguments.stop_on_entry;
         debuggee.stop = None;
         debuggee.fault = None;
+        target.forget_stops();
         target.ask(Ask::Start { cold: true, stop_on_entry }).map(|_| ())
     }
 
@@ -203,6 +202,7 @@ impl Session {
         };
         let project = self.build(arguments.program.clone(), arguments.build)?;
         self.reload(project, How::Launch(arguments))?;
+        self.breakpoints.forget_modifications();
         for breakpoint in self.place_all_breakpoints() {
             let reason = BreakpointEventReason::Changed;
             self.after.push(Event::Breakpoint(BreakpointEventBody { reason, breakpoint }));
@@ -216,6 +216,10 @@ impl Session {
     /// Ends the PLC in good order, through MODULE_DONE.
     pub(super) fn terminate(&mut self, _request: &Request) -> Answer {
         let stopped = self.phase == Phase::Stopped;
+        if self.phase == Phase::Ended || self.debuggee.is_none() {
+            self.end(None);
+            return Ok(Value::Null);
+        }
         let (target, debuggee) = self.parts()?;
         debuggee.stop = None;
         target.ask(Ask::SetBreakpoints { pcs: Vec::new() })?;
@@ -272,7 +276,9 @@ impl Session {
             Timer::Overruns => self.tell_overruns(),
             Timer::GiveUpTerminate if self.terminating => {
                 self.terminating = false;
-                self.complain("the PLC did not end in time (MODULE_DONE_FINISHED is not reached); it is cut off");
+                self.complain(
+                    "the PLC did not end in time (MODULE_DONE_FINISHED is not reached); it is cut off",
+                );
                 self.leave_target(Some(true));
                 self.end(Some(1));
             }

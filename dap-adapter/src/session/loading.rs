@@ -51,7 +51,8 @@ impl Session {
 
     fn list(&mut self, category: OutputEventCategory, kind: &str, problems: &[Problem]) {
         for p in problems.iter().take(LISTED) {
-            let text = format!("{}:{}:{}: {kind} [{}]: {}", p.file.display(), p.line, p.column, p.code, p.message);
+            let text =
+                format!("{}:{}:{}: {kind} [{}]: {}", p.file.display(), p.line, p.column, p.code, p.message);
             self.output(category.clone(), &text, Some((&p.file, p.line)));
         }
         if problems.len() > LISTED {
@@ -211,7 +212,7 @@ impl Session {
 fn debuggee(project: BuiltProject, plc: PlcState, how: How) -> Debuggee {
     let program = Arc::new(project.image.program.clone());
     let debug = Arc::new(project.image.debug.clone().unwrap_or_default());
-    let map = SourceMap::new(&project.root, &program, &debug);
+    let map = SourceMap::new(&project.root, &program, &debug, project.encoding);
     let tree = Tree::new(&debug, &ports::used(&program, &debug));
     Debuggee { how, project, program, debug, map, tree, plc, stop: None, fault: None }
 }

@@ -216,7 +216,9 @@ impl Session {
     fn answer(&mut self, request: &Request) {
         let result = match COMMANDS.iter().find(|c| c.name == request.command) {
             None => Err(RequestError::Unknown { command: request.command.clone() }),
-            Some(command) => phase::check(command, self.phase).and_then(|()| (command.handler)(self, request)),
+            Some(command) => {
+                phase::check(command, self.phase).and_then(|()| (command.handler)(self, request))
+            }
         };
         match result {
             Ok(body) => self.out.respond(request, Ok(body)),
@@ -228,7 +230,10 @@ impl Session {
     }
 
     /// Does something slow on another thread, while the link stays alive. A `disconnect` ends the wait.
-    fn aside<T: Send + 'static>(&mut self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, RequestError> {
+    fn aside<T: Send + 'static>(
+        &mut self,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> Result<T, RequestError> {
         let (done, result) = channel();
         std::thread::spawn(move || done.send(work()));
         loop {

@@ -71,7 +71,12 @@ pub(crate) const COMMANDS: &[Command] = &[
         "exceptionBreakpointFilters",
         Session::set_exception_breakpoints,
     ),
-    optional("breakpointLocations", LOADED, "supportsBreakpointLocationsRequest", Session::breakpoint_locations),
+    optional(
+        "breakpointLocations",
+        LOADED,
+        "supportsBreakpointLocationsRequest",
+        Session::breakpoint_locations,
+    ),
     optional("loadedSources", LOADED, "supportsLoadedSourcesRequest", Session::loaded_sources),
     basic("source", LOADED, Session::source),
     basic("threads", LOADED, Session::threads),
@@ -89,7 +94,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     optional("completions", LOADED, "supportsCompletionsRequest", Session::completions),
     optional("exceptionInfo", STOPPED, "supportsExceptionInfoRequest", Session::exception_info),
     optional("restart", RUNNING | STOPPED, "supportsRestartRequest", Session::restart),
-    optional("terminate", LOADED, "supportsTerminateRequest", Session::terminate),
+    optional("terminate", INITIALIZED | LOADED | ENDED, "supportsTerminateRequest", Session::terminate),
     basic("disconnect", ANY, Session::disconnect),
 ];
 
@@ -122,11 +127,18 @@ mod tests {
     /// The table is the specification: a change shows here.
     #[test]
     fn legality_of_each_request_in_each_phase() {
-        let phases =
-            [Phase::New, Phase::Initialized, Phase::Configuring, Phase::Running, Phase::Stopped, Phase::Ended];
+        let phases = [
+            Phase::New,
+            Phase::Initialized,
+            Phase::Configuring,
+            Phase::Running,
+            Phase::Stopped,
+            Phase::Ended,
+        ];
         let mut table = String::new();
         for command in COMMANDS {
-            let marks: String = phases.iter().map(|p| if check(command, *p).is_ok() { 'x' } else { '-' }).collect();
+            let marks: String =
+                phases.iter().map(|p| if check(command, *p).is_ok() { 'x' } else { '-' }).collect();
             writeln!(table, "{marks} {}", command.name).unwrap();
         }
         // new, initialized, configuring, running, stopped, ended
@@ -155,7 +167,7 @@ x----- initialize
 --xxx- completions
 ----x- exceptionInfo
 ---xx- restart
---xxx- terminate
+-xxxxx terminate
 xxxxxx disconnect
 ";
         assert_eq!(table, expected);
@@ -167,11 +179,27 @@ xxxxxx disconnect
             ("launch", Phase::New, "`launch` is not possible before `initialize`; send `initialize` first"),
             ("initialize", Phase::Initialized, "`initialize` is not possible twice; start another session"),
             ("launch", Phase::Configuring, "`launch` is not possible twice; disconnect first"),
-            ("launch", Phase::Stopped, "`launch` is not possible in a session that is under way; disconnect first"),
+            (
+                "launch",
+                Phase::Stopped,
+                "`launch` is not possible in a session that is under way; disconnect first",
+            ),
             ("next", Phase::Running, "`next` needs a program that is stopped; use `pause` first"),
-            ("next", Phase::Configuring, "`next` is not possible before the program runs; send `configurationDone` first"),
-            ("evaluate", Phase::Initialized, "`evaluate` is not possible before `launch` or `attach`; launch or attach first"),
-            ("threads", Phase::Ended, "`threads` is not possible after the session has ended; start debugging again"),
+            (
+                "next",
+                Phase::Configuring,
+                "`next` is not possible before the program runs; send `configurationDone` first",
+            ),
+            (
+                "evaluate",
+                Phase::Initialized,
+                "`evaluate` is not possible before `launch` or `attach`; launch or attach first",
+            ),
+            (
+                "threads",
+                Phase::Ended,
+                "`threads` is not possible after the session has ended; start debugging again",
+            ),
         ] {
             let command = COMMANDS.iter().find(|c| c.name == name).unwrap();
             assert_eq!(check(command, phase).unwrap_err().to_string(), text);

@@ -7,15 +7,18 @@ use technol_wire::message::Request as Ask;
 
 use crate::errors::RequestError;
 
+use super::phase::Phase;
 use super::{Session, Timer};
 
 /// A pressed key is let go after this time.
 const KEY_PRESS: Duration = Duration::from_millis(200);
 
 /// Usage and meaning.
-pub(super) const COMMANDS: [(&str, &str); 7] = [
+pub(super) const COMMANDS: [(&str, &str); 9] = [
     ("fault NAME on|off", "switch a fault of the simulated machine"),
-    ("press KEY [down|up]", "press a key of the simulated operator panel (and let it go)"),
+    ("press KEY", "press a key of the simulated operator panel for a moment"),
+    ("hold KEY", "press a key and hold it down"),
+    ("release KEY", "let a key go"),
     ("start MECHANISM", "activate a mechanism"),
     ("stop MECHANISM", "put a mechanism into rest"),
     ("plc start|stop|clear", "start, stop or clear the PLC"),
@@ -40,6 +43,8 @@ impl Session {
             "help" => help(),
             "fault" => self.switch_fault(rest)?,
             "press" => self.press(rest)?,
+            "hold" => self.key(rest, true, "held down")?,
+            "release" => self.key(rest, false, "released")?,
             "start" | "stop" => self.switch_mechanism(rest, word.eq_ignore_ascii_case("start"))?,
             "plc" => self.plc(rest)?,
             _ => return Ok(None),
@@ -65,28 +70,24 @@ impl Session {
         Ok(format!("fault {name} is {}", if on { "on" } else { "off" }))
     }
 
-    fn press(&mut self, rest: &str) -> Result<String, RequestError> {
-        let (name, hold) = match rest.rsplit_once(char::is_whitespace) {
-            Some((name, "down")) => (name, Some(true)),
-            Some((name, "up")) => (name, Some(false)),
-            _ => (rest, None),
-        };
+    fn press(&mut self, name: &str) -> Result<String, RequestError> {
+        let said = self.key(name, true, "pressed")?;
+        self.start_timer(KEY_PRESS, Timer::ReleaseKey(unquoted(name)));
+        Ok(said)
+    }
+
+    fn key(&mut self, name: &str, down: bool, what: &str) -> Result<String, RequestError> {
         let key = unquoted(name);
         let (target, _) = self.parts()?;
-        target.ask(Ask::Press { key: key.clone(), down: hold != Some(false) })?;
-        if hold.is_none() {
-            self.start_timer(KEY_PRESS, Timer::ReleaseKey(key.clone()));
-        }
-        let what = match hold {
-            None => "pressed",
-            Some(true) => "held down",
-            Some(false) => "released",
-        };
+        target.ask(Ask::Press { key: key.clone(), down })?;
         Ok(format!("key {key} {what}"))
     }
 
     pub(super) fn release_key(&mut self, key: String) {
-        if let Some(target) = &mut self.target {
+        if self.phase == Phase::Stopped {
+            // The program has not seen the key yet: it is held until it goes on.
+            self.start_timer(KEY_PRESS, Timer::ReleaseKey(key));
+        } else if let Some(target) = &mut self.target {
             target.tell(Ask::Press { key, down: false });
         }
     }
@@ -94,7 +95,9 @@ impl Session {
     fn switch_mechanism(&mut self, name: &str, start: bool) -> Result<String, RequestError> {
         let debuggee = self.debuggee()?;
         let found = debuggee.debug.symbols.iter().find_map(|s| match s.kind {
-            SymbolKind::Mechanism { sequence } if s.name.eq_ignore_ascii_case(name) => Some((s.name.clone(), sequence)),
+            SymbolKind::Mechanism { sequence } if s.name.eq_ignore_ascii_case(name) => {
+                Some((s.name.clone(), sequence))
+            }
             _ => None,
         });
         let Some((name, sequence)) = found else {
@@ -110,7 +113,7 @@ impl Session {
             "start" => (Ask::Start { cold: false, stop_on_entry: false }, "PLC start ordered"),
             "stop" => (Ask::Stop, "PLC stop ordered"),
             "clear" => (Ask::Clear, "PLC clear ordered"),
-            _ => return Err(usage(4)),
+            _ => return Err(usage(6)),
         };
         let (target, _) = self.parts()?;
         target.ask(request)?;

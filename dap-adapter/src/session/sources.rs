@@ -5,6 +5,8 @@ use std::path::Path;
 use dap::responses::{LoadedSourcesResponse, SourceResponse};
 use dap::types::Source;
 
+use technol_analysis::project::decode;
+
 use crate::errors::RequestError;
 use crate::request::Request;
 
@@ -38,7 +40,7 @@ impl Session {
         };
         let bytes = std::fs::read(path)
             .map_err(|error| RequestError::Source(format!("{} cannot be read: {error}", path.display())))?;
-        let content = String::from_utf8_lossy(&bytes).into_owned();
+        let content = decode(&bytes, debuggee.project.encoding).text;
         body(&SourceResponse { content, mime_type: None })
     }
 }

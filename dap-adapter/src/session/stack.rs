@@ -3,8 +3,8 @@
 use dap::requests::{ScopesArguments, StackTraceArguments};
 use dap::responses::{ExceptionInfoResponse, ScopesResponse, StackTraceResponse, ThreadsResponse};
 use dap::types::{
-    ExceptionBreakMode, ExceptionDetails, Scope, ScopePresentationhint, StackFrame, StackFramePresentationhint,
-    Thread,
+    ExceptionBreakMode, ExceptionDetails, Scope, ScopePresentationhint, StackFrame,
+    StackFramePresentationhint, Thread,
 };
 
 use technol_image::op::Pc;
@@ -57,7 +57,10 @@ pub(super) struct FrameInfo {
 
 impl Session {
     pub(super) fn threads(&mut self, _request: &Request) -> Answer {
-        let sequences = self.sequences()?;
+        let sequences = match self.sequences() {
+            Err(RequestError::Refused(_)) => Vec::new(), // the cycle is there in any case
+            result => result?,
+        };
         let debuggee = self.debuggee()?;
         let stopped = debuggee.stop.as_ref().and_then(|s| s.stopped.sequence);
         let mut threads = vec![Thread { id: PLC_THREAD, name: "PLC cycle".into() }];
@@ -96,14 +99,16 @@ impl Session {
             .ok_or(RequestError::Stale { what: "thread", id })?;
         let total = frames.len();
         let start = usize::try_from(arguments.start_frame.unwrap_or(0)).unwrap_or(0).min(total);
-        let levels = arguments.levels.and_then(|n| usize::try_from(n).ok()).filter(|n| *n > 0).unwrap_or(total);
+        let levels =
+            arguments.levels.and_then(|n| usize::try_from(n).ok()).filter(|n| *n > 0).unwrap_or(total);
         let shown = frames.into_iter().skip(start).take(levels).map(|f| self.shown_frame(debuggee, f));
         body(&StackTraceResponse { stack_frames: shown.collect(), total_frames: Some(total as i64) })
     }
 
     fn shown_frame(&self, debuggee: &Debuggee, frame: FrameInfo) -> StackFrame {
         let source = frame.position.and_then(|(file, _)| debuggee.map.path(file)).map(sources::source);
-        let place = frame.position.map_or((0, 0), |(_, line)| (self.line_out(line), self.client.first_column));
+        let place =
+            frame.position.map_or((0, 0), |(_, line)| (self.line_out(line), self.client.first_column));
         let subtle = frame.subtle || source.is_none();
         StackFrame {
             id: frame.id,
@@ -276,7 +281,10 @@ fn order(debuggee: &Debuggee, pc: Pc) -> Option<u8> {
 
 /// `motion.plc:42`, as people say it.
 pub(super) fn place_text(debuggee: &Debuggee, pc: Pc) -> String {
-    debuggee.debug.position(pc).map_or_else(|| format!("operation {pc}"), |(file, line)| format!("{file}:{line}"))
+    debuggee
+        .debug
+        .position(pc)
+        .map_or_else(|| format!("operation {pc}"), |(file, line)| format!("{file}:{line}"))
 }
 
 pub(super) fn fault_text(debuggee: &Debuggee, fault: &Fault) -> String {

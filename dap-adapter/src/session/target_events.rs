@@ -39,7 +39,8 @@ impl Session {
             Said::Message { cycle, number, sub_id, set, parameters, pc } => {
                 let sub_id = sub_id.map(|n| format!("/{n}")).unwrap_or_default();
                 let values: Vec<String> = parameters.iter().map(i64::to_string).collect();
-                let values = if values.is_empty() { String::new() } else { format!(" ({})", values.join(", ")) };
+                let values =
+                    if values.is_empty() { String::new() } else { format!(" ({})", values.join(", ")) };
                 let what = if set { "" } else { " removed" };
                 let text = format!("message {number}{sub_id}{what}{values}, cycle {cycle}");
                 self.output_at(OutputEventCategory::Stdout, &text, pc);
@@ -66,7 +67,11 @@ impl Session {
         let known_fault = debuggee.fault.is_some();
         debuggee.stop = Some(Stop { stopped, sequences: None });
         if reason == StopReason::Fault {
-            if known_fault { self.announce_fault() } else { self.start_timer(DETAILS, Timer::FaultWithoutDetails) }
+            if known_fault {
+                self.announce_fault()
+            } else {
+                self.start_timer(DETAILS, Timer::FaultWithoutDetails)
+            }
             return;
         }
         self.announce_stop(None);
@@ -74,7 +79,8 @@ impl Session {
 
     /// Tells the client about the stop that was just taken up.
     fn announce_stop(&mut self, text: Option<String>) {
-        let Some(stopped) = self.debuggee.as_ref().and_then(|d| Some(d.stop.as_ref()?.stopped.clone())) else {
+        let Some(stopped) = self.debuggee.as_ref().and_then(|d| Some(d.stop.as_ref()?.stopped.clone()))
+        else {
             return;
         };
         self.phase = Phase::Stopped;

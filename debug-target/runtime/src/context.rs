@@ -74,7 +74,6 @@ impl Context {
         self.granted = budget;
         self.rewound = NO_SEQUENCE;
         self.activation += 1;
-        self.skip_stop = false;
     }
 
     /// Operations executed in this pass.

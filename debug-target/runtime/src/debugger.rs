@@ -159,7 +159,7 @@ impl StepUntil {
         match self.how {
             Resume::Continue => false,
             Resume::StepInto => true,
-            Resume::StepOver { sequence: None } => depth <= self.depth || !same_pass,
+            Resume::StepOver { sequence: None } => depth <= self.depth,
             Resume::StepOver { sequence: Some(number) } if sequence == Some(number) => depth <= self.depth,
             Resume::StepOver { sequence: Some(number) } => {
                 program.sequences.get(usize::from(number)).is_none_or(|s| !machine.memory.flag(activation(s)))

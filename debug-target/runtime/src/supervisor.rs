@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use technol_image::program::{ModuleKind, RegionKind, SequenceKind};
 use technol_image::system;
 
-use crate::block::{BlockCycle, QUEUE_LEN, Rejection, Stage};
+use crate::block::{QUEUE_LEN, Rejection, Stage};
 use crate::code::{is_stoppable, module_of};
 use crate::context::{Context, Root};
 use crate::debugger::{Line, StopReason, module_and_file};
@@ -173,7 +173,6 @@ impl Runtime {
             self.machine.memory.fill(hidden.start as usize, hidden.len as usize, 0);
         }
         self.abort_block(events);
-        self.block = BlockCycle::new();
         self.machine.memory.set_flag(system::INPOS, true);
         self.machine.millis = 0;
         self.machine.init_seen = 0;

@@ -62,7 +62,7 @@ pub(crate) fn counter(
     if regs.rlo && before & 1 == 0 {
         memory.write_at(at, width, stepped);
     }
-    memory.set_byte(state, before & !1 | u8::from(regs.rlo));
+    memory.set_byte(state, u8::from(regs.rlo));
     let content = memory.read_at(at, width);
     regs.rlo = (content ^ regs.dr) & mask(width) == 0;
     regs.dr = content;

@@ -70,6 +70,7 @@ fn workspace_edit(view: &View, uri: &Uri, fix: &Fix) -> WorkspaceEdit {
     }
     let version = view.state(&view.file).and_then(|it| it.version);
     let document = OptionalVersionedTextDocumentIdentifier { uri: uri.clone(), version };
-    let change = TextDocumentEdit { text_document: document, edits: edits.into_iter().map(OneOf::Left).collect() };
+    let change =
+        TextDocumentEdit { text_document: document, edits: edits.into_iter().map(OneOf::Left).collect() };
     WorkspaceEdit { document_changes: Some(DocumentChanges::Edits(vec![change])), ..WorkspaceEdit::default() }
 }

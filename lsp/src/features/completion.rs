@@ -3,8 +3,8 @@
 use technol_analysis::{Cancellable, Completion, CompletionKind};
 use tower_lsp::ls_types::request::Completion as CompletionRequest;
 use tower_lsp::ls_types::{
-    CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, CompletionTextEdit,
-    Documentation, MarkupContent, MarkupKind, TextEdit,
+    CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse,
+    CompletionTextEdit, Documentation, MarkupContent, MarkupKind, TextEdit,
 };
 
 use super::{Feature, Views, of_document};

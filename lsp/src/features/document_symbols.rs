@@ -23,7 +23,9 @@ impl Feature for DocumentSymbols {
         let [view] = views else { return Ok(None) };
         let found = view.analysis.document_symbols(&view.file)?;
         if view.client.nested_symbols {
-            return Ok(Some(DocumentSymbolResponse::Nested(found.into_iter().map(|it| nested(view, it)).collect())));
+            return Ok(Some(DocumentSymbolResponse::Nested(
+                found.into_iter().map(|it| nested(view, it)).collect(),
+            )));
         }
         let mut flat = Vec::new();
         flatten(view, &params.text_document.uri, &found, None, &mut flat);
@@ -47,7 +49,13 @@ fn nested(view: &View, found: Found) -> DocumentSymbol {
 }
 
 #[expect(deprecated, reason = "the protocol's type has a field of old that must be given")]
-fn flatten(view: &View, uri: &Uri, found: &[Found], container: Option<&str>, flat: &mut Vec<SymbolInformation>) {
+fn flatten(
+    view: &View,
+    uri: &Uri,
+    found: &[Found],
+    container: Option<&str>,
+    flat: &mut Vec<SymbolInformation>,
+) {
     for it in found {
         flat.push(SymbolInformation {
             name: it.name.clone(),

@@ -16,7 +16,10 @@ impl Feature for Highlights {
         of_document(&params.text_document_position_params.text_document.uri, views)
     }
 
-    fn answer(views: &[View], params: &DocumentHighlightParams) -> Cancellable<Option<Vec<DocumentHighlight>>> {
+    fn answer(
+        views: &[View],
+        params: &DocumentHighlightParams,
+    ) -> Cancellable<Option<Vec<DocumentHighlight>>> {
         let [view] = views else { return Ok(None) };
         let position = view.position(params.text_document_position_params.position);
         let found = view.analysis.references(&view.file, position, true)?;
@@ -34,6 +37,8 @@ fn kind(access: ReferenceAccess) -> DocumentHighlightKind {
     match access {
         ReferenceAccess::Read => DocumentHighlightKind::READ,
         ReferenceAccess::Write | ReferenceAccess::ReadWrite => DocumentHighlightKind::WRITE,
-        ReferenceAccess::Declare | ReferenceAccess::Jump | ReferenceAccess::Call => DocumentHighlightKind::TEXT,
+        ReferenceAccess::Declare | ReferenceAccess::Jump | ReferenceAccess::Call => {
+            DocumentHighlightKind::TEXT
+        }
     }
 }

@@ -18,7 +18,10 @@ impl Feature for WorkspaceSymbols {
     }
 
     #[expect(deprecated, reason = "the protocol's type has a field of old that must be given")]
-    fn answer(views: &[View], params: &WorkspaceSymbolParams) -> Cancellable<Option<WorkspaceSymbolResponse>> {
+    fn answer(
+        views: &[View],
+        params: &WorkspaceSymbolParams,
+    ) -> Cancellable<Option<WorkspaceSymbolResponse>> {
         let mut symbols: Vec<SymbolInformation> = Vec::new();
         for view in views {
             for it in view.analysis.workspace_symbols(&params.query)? {

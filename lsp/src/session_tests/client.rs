@@ -116,11 +116,19 @@ impl Client {
     pub(super) fn diagnostics(&mut self, uri: &str, version: Option<i32>) -> Vec<String> {
         let message = self.wait_until(|it| {
             let params = &it["params"];
-            it["method"] == "textDocument/publishDiagnostics" && params["uri"] == uri && params["version"] == json!(version)
+            it["method"] == "textDocument/publishDiagnostics"
+                && params["uri"] == uri
+                && params["version"] == json!(version)
         });
         let line = |it: &Value| {
             let (start, end) = (&it["range"]["start"], &it["range"]["end"]);
-            format!("{} {}:{}-{}", it["code"].as_str().unwrap(), start["line"], start["character"], end["character"])
+            format!(
+                "{} {}:{}-{}",
+                it["code"].as_str().unwrap(),
+                start["line"],
+                start["character"],
+                end["character"]
+            )
         };
         message["params"]["diagnostics"].as_array().unwrap().iter().map(line).collect()
     }
@@ -138,7 +146,10 @@ impl Client {
     pub(super) fn edit(&mut self, uri: &str, version: i32, range: (u32, u32, u32, u32), text: &str) {
         let range = json!({ "start": { "line": range.0, "character": range.1 }, "end": { "line": range.2, "character": range.3 } });
         let changes = json!([{ "range": range, "text": text }]);
-        self.notify("textDocument/didChange", &json!({ "textDocument": { "uri": uri, "version": version }, "contentChanges": changes }));
+        self.notify(
+            "textDocument/didChange",
+            &json!({ "textDocument": { "uri": uri, "version": version }, "contentChanges": changes }),
+        );
     }
 
     /// The next message; `None` when the server has closed its side.

@@ -49,7 +49,10 @@ fn range(value: &Value) -> String {
 
 #[test]
 fn a_sound_program_has_no_diagnostics_and_mistakes_come_and_go_with_the_text() {
-    let mut client = with(&program("        DFM ON_LAMP,,,,,,,\n", "        LDR ON_LAMP\n        WR ON_LAMP\n"), &json!(null));
+    let mut client = with(
+        &program("        DFM ON_LAMP,,,,,,,\n", "        LDR ON_LAMP\n        WR ON_LAMP\n"),
+        &json!(null),
+    );
     assert_eq!(client.diagnostics(DOCUMENT, Some(1)), Vec::<String>::new());
     client.edit(DOCUMENT, 2, (4, 12, 4, 19), "NOBODY");
     assert_eq!(client.diagnostics(DOCUMENT, Some(2)), ["T0301 4:12-18"]);
@@ -69,7 +72,11 @@ fn columns_after_astral_characters_are_utf16_unless_utf8_was_agreed() {
     client.edit(DOCUMENT, 3, (4, 0, 4, 12), "WR ");
     assert!(client.diagnostics(DOCUMENT, Some(3)).contains(&"T0301 4:3-9".to_owned()));
 
-    let mut client = Client::start(None, &json!({ "general": { "positionEncodings": ["utf-8", "utf-16"] } }), &json!(null));
+    let mut client = Client::start(
+        None,
+        &json!({ "general": { "positionEncodings": ["utf-8", "utf-16"] } }),
+        &json!(null),
+    );
     client.open(DOCUMENT, 1, &program("", "        STR 𝄞 NOBODY\n"));
     let utf8 = client.diagnostics(DOCUMENT, Some(1));
     assert!(utf8.iter().any(|it| it.ends_with("3:12-16")), "the clef is four bytes: {utf8:?}");
@@ -82,7 +89,10 @@ fn hovers_speak_the_language_that_is_set() {
     let czech = hover(&mut client);
     assert_eq!(czech["contents"]["kind"], "markdown");
     assert_eq!(range(&czech["range"]), "3:8-11");
-    client.notify("workspace/didChangeConfiguration", &json!({ "settings": { "technol": { "language": "en" } } }));
+    client.notify(
+        "workspace/didChangeConfiguration",
+        &json!({ "settings": { "technol": { "language": "en" } } }),
+    );
     let english = hover(&mut client);
     let text = |hover: &Value| hover["contents"]["value"].as_str().unwrap().to_owned();
     assert!(text(&czech).contains("rovnic"), "{}", text(&czech));
@@ -92,10 +102,8 @@ fn hovers_speak_the_language_that_is_set() {
 
 #[test]
 fn definition_references_and_highlights_agree() {
-    let mut client = with(
-        &program("        DFM LAMP,,,,,,,\n", "        LDR LAMP\n        WR LAMP\n"),
-        &json!(null),
-    );
+    let mut client =
+        with(&program("        DFM LAMP,,,,,,,\n", "        LDR LAMP\n        WR LAMP\n"), &json!(null));
     let definition = client.request("textDocument/definition", &at(4, 13));
     assert_eq!(definition[0]["uri"], DOCUMENT);
     assert_eq!(range(&definition[0]["range"]), "1:12-16");
@@ -109,7 +117,10 @@ fn definition_references_and_highlights_agree() {
     assert_eq!(ranges(&client.request("textDocument/references", &asked)), ["4:12-16", "5:11-15"]);
     let marks = client.request("textDocument/documentHighlight", &at(1, 13));
     let kinds: Vec<i64> = marks.as_array().unwrap().iter().map(|it| it["kind"].as_i64().unwrap()).collect();
-    assert_eq!((ranges(&marks), kinds), (vec!["1:12-16".into(), "4:12-16".into(), "5:11-15".into()], vec![1, 2, 3]));
+    assert_eq!(
+        (ranges(&marks), kinds),
+        (vec!["1:12-16".into(), "4:12-16".into(), "5:11-15".into()], vec![1, 2, 3])
+    );
 }
 
 #[test]
@@ -120,7 +131,9 @@ fn the_outline_nests_where_the_client_can_show_it() {
     let asked = json!({ "textDocument": { "uri": DOCUMENT } });
     let outline = client.request("textDocument/documentSymbol", &asked);
     let names = |list: &Value| -> Vec<String> {
-        list.as_array().map_or_else(Vec::new, |list| list.iter().map(|it| it["name"].as_str().unwrap().to_owned()).collect())
+        list.as_array().map_or_else(Vec::new, |list| {
+            list.iter().map(|it| it["name"].as_str().unwrap().to_owned()).collect()
+        })
     };
     assert_eq!(names(&outline)[..2], ["DATA", "MODULE_MAIN"]);
     assert_eq!(names(&outline[0]["children"]), ["SPEED"]);
@@ -131,7 +144,10 @@ fn the_outline_nests_where_the_client_can_show_it() {
     client.open(DOCUMENT, 1, &text);
     let flat = client.request("textDocument/documentSymbol", &asked);
     let door = flat.as_array().unwrap().iter().find(|it| it["name"] == "DOOR").unwrap();
-    assert_eq!((&door["containerName"], range(&door["location"]["range"])), (&json!("MODULE_MAIN"), "4:11-15".to_owned()));
+    assert_eq!(
+        (&door["containerName"], range(&door["location"]["range"])),
+        (&json!("MODULE_MAIN"), "4:11-15".to_owned())
+    );
 }
 
 #[test]
@@ -145,7 +161,10 @@ fn workspace_symbols_find_a_part_of_a_name() {
 
 #[test]
 fn completion_offers_what_fits_and_replaces_the_word() {
-    let mut client = with(&program("LEVEL:  DS 2\n        DFM LEVEL_LOW,,,,,,,\n", "        LDR LEV\n        LO\n"), &json!(null));
+    let mut client = with(
+        &program("LEVEL:  DS 2\n        DFM LEVEL_LOW,,,,,,,\n", "        LDR LEV\n        LO\n"),
+        &json!(null),
+    );
     let labels = |list: &Value| -> Vec<String> {
         assert_eq!(list["isIncomplete"], false);
         list["items"].as_array().unwrap().iter().map(|it| it["label"].as_str().unwrap().to_owned()).collect()
@@ -153,7 +172,10 @@ fn completion_offers_what_fits_and_replaces_the_word() {
     let operand = client.request("textDocument/completion", &at(5, 15));
     assert!(labels(&operand).contains(&"LEVEL_LOW".to_owned()), "{operand}");
     let bit = operand["items"].as_array().unwrap().iter().find(|it| it["label"] == "LEVEL_LOW").unwrap();
-    assert_eq!((bit["textEdit"]["newText"].as_str(), range(&bit["textEdit"]["range"])), (Some("LEVEL_LOW"), "5:12-15".into()));
+    assert_eq!(
+        (bit["textEdit"]["newText"].as_str(), range(&bit["textEdit"]["range"])),
+        (Some("LEVEL_LOW"), "5:12-15".into())
+    );
     let operation = client.request("textDocument/completion", &at(6, 10));
     assert!(labels(&operation).contains(&"LOD".to_owned()), "{operation}");
 }
@@ -163,9 +185,7 @@ fn a_fix_comes_as_an_edit_of_the_version_it_is_for() {
     let mut client = with(&program("CELL:   DS 2\n", "        LOD CNTS.5\n        STO CELL\n"), &json!(null));
     assert_eq!(client.diagnostics(DOCUMENT, Some(1)), ["T0112 4:12-16"]);
     let here = json!({ "start": { "line": 4, "character": 13 }, "end": { "line": 4, "character": 13 } });
-    let asked = |range: &Value, context: Value| {
-        json!({ "textDocument": { "uri": DOCUMENT }, "range": range, "context": context })
-    };
+    let asked = |range: &Value, context: Value| json!({ "textDocument": { "uri": DOCUMENT }, "range": range, "context": context });
     let actions = client.request("textDocument/codeAction", &asked(&here, json!({ "diagnostics": [] })));
     let action = &actions[0];
     assert_eq!((&action["kind"], &action["diagnostics"][0]["code"]), (&json!("quickfix"), &json!("T0112")));
@@ -173,7 +193,10 @@ fn a_fix_comes_as_an_edit_of_the_version_it_is_for() {
     assert_eq!(change["textDocument"], json!({ "uri": DOCUMENT, "version": 1 }));
     assert_eq!(change["edits"][0]["newText"], "CNST");
     let elsewhere = json!({ "start": { "line": 5, "character": 0 }, "end": { "line": 6, "character": 0 } });
-    assert_eq!(client.request("textDocument/codeAction", &asked(&elsewhere, json!({ "diagnostics": [] }))), json!([]));
+    assert_eq!(
+        client.request("textDocument/codeAction", &asked(&elsewhere, json!({ "diagnostics": [] }))),
+        json!([])
+    );
     let refactorings = json!({ "diagnostics": [], "only": ["refactor"] });
     assert_eq!(client.request("textDocument/codeAction", &asked(&here, refactorings)), json!([]));
 }

@@ -2,5 +2,5 @@
 
 mod client;
 mod language;
-mod protocol;
 mod projects;
+mod protocol;

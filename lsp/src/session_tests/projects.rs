@@ -28,8 +28,16 @@ const SECOND: &str = "DATA\nDATA_END\nMODULE_MAIN\n        LDR LAMP\n        WR 
 /// Two program files and an include, all sound.
 fn project() -> TempDir {
     let folder = TempDir::new().unwrap();
-    let main = format!("T_INCLUDE 'inc/limits.inc'\n{}", program("        DFM LAMP,,,,,,,\n", "        LOD CNST.LIMIT\n"));
-    let files = [("technol.toml", MANIFEST), ("main.plc", main.as_str()), ("second.plc", SECOND), ("inc/limits.inc", "EQUI LIMIT,5\n")];
+    let main = format!(
+        "T_INCLUDE inc/limits.inc\n{}",
+        program("        DFM LAMP,,,,,,,\n", "        LOD CNST.LIMIT\n")
+    );
+    let files = [
+        ("technol.toml", MANIFEST),
+        ("main.plc", main.as_str()),
+        ("second.plc", SECOND),
+        ("inc/limits.inc", "EQUI LIMIT,5\n"),
+    ];
     write(folder.path(), &files);
     folder
 }
@@ -59,8 +67,12 @@ fn a_definition_leads_into_another_file_and_references_back() {
     let mut asked = at(&second, 3, 13);
     asked["context"] = json!({ "includeDeclaration": true });
     let found = client.request("textDocument/references", &asked);
-    let files: Vec<&str> =
-        found.as_array().unwrap().iter().map(|it| it["uri"].as_str().unwrap().rsplit('/').next().unwrap()).collect();
+    let files: Vec<&str> = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["uri"].as_str().unwrap().rsplit('/').next().unwrap())
+        .collect();
     assert_eq!(files, ["main.plc", "second.plc", "second.plc"]);
 }
 
@@ -104,14 +116,31 @@ fn files_changed_behind_the_editor_are_read_again() {
 }
 
 #[test]
+fn a_file_that_was_missed_is_read_once_it_is_there() {
+    let folder = project();
+    let elsewhere = TempDir::new().unwrap();
+    let manifest = format!("{MANIFEST}include-dirs = [\"{}\"]\n", elsewhere.path().display());
+    write(folder.path(), &[("technol.toml", &manifest)]);
+    let text =
+        fs::read_to_string(folder.path().join("main.plc")).unwrap().replace("inc/limits.inc", "more.inc");
+    write(folder.path(), &[("main.plc", &text)]);
+    let mut client = start(&folder, &json!({}));
+    let main = uri(&folder, "main.plc");
+    assert_eq!(client.diagnostics(&main, None), ["T0009 0:10-18", "T0301 5:17-22"]);
+    write(elsewhere.path(), &[("more.inc", "EQUI LIMIT,5\n")]);
+    changed(&mut client, &uri(&elsewhere, "more.inc"));
+    assert_eq!(client.diagnostics(&main, None), Vec::<String>::new());
+}
+
+#[test]
 fn an_include_is_read_when_its_line_is_typed_and_missed_when_it_goes() {
     let folder = project();
     let mut client = start(&folder, &json!({}));
     let main = uri(&folder, "main.plc");
     let text = fs::read_to_string(folder.path().join("main.plc")).unwrap();
     client.open(&main, 1, text.split_once('\n').unwrap().1);
-    assert_eq!(client.diagnostics(&main, Some(1)), ["T0301 5:17-22"]);
-    client.edit(&main, 2, (0, 0, 0, 0), "T_INCLUDE 'inc/limits.inc'\n");
+    assert_eq!(client.diagnostics(&main, Some(1)), ["T0301 4:17-22"]);
+    client.edit(&main, 2, (0, 0, 0, 0), "T_INCLUDE inc/limits.inc\n");
     assert_eq!(client.diagnostics(&main, Some(2)), Vec::<String>::new());
     // What the open include says counts before it is saved.
     let limits = uri(&folder, "inc/limits.inc");
@@ -155,8 +184,8 @@ fn a_fragment_nobody_includes_is_only_checked_line_by_line() {
     let folder = TempDir::new().unwrap();
     let mut client = Client::start(None, &json!({}), &json!(null));
     let fragment = uri(&folder, "part.inc");
-    client.open(&fragment, 1, "EQUI LIMIT,5\n        LOD CNTS.LIMIT\n");
-    assert_eq!(client.diagnostics(&fragment, Some(1)), ["T0112 1:12-16"]);
+    client.open(&fragment, 1, "EQUI LIMIT,5\nEQUI BAD,1x2\nEQUI LIMIT,6\n");
+    assert_eq!(client.diagnostics(&fragment, Some(1)), ["T0104 1:9-12"]);
 }
 
 #[test]

@@ -120,7 +120,9 @@ fn ids_may_come_in_any_order_and_be_words() {
     let mut client = started();
     client.open(DOCUMENT, 1, "");
     for id in [json!(900), json!("word"), json!(-3), json!(0)] {
-        client.send(&json!({ "jsonrpc": "2.0", "id": id, "method": "workspace/symbol", "params": { "query": "" } }));
+        client.send(
+            &json!({ "jsonrpc": "2.0", "id": id, "method": "workspace/symbol", "params": { "query": "" } }),
+        );
         assert_eq!(client.answer(&id)["result"], json!([]), "{id}");
     }
 }
@@ -192,7 +194,10 @@ fn settings_that_are_not_known_are_logged() {
     let mut client = Client::start(None, &json!({}), &json!({ "colour": "red" }));
     let message = client.wait_for("window/logMessage");
     assert_eq!(message["params"]["message"], "Setting technol.colour is not known and was ignored.");
-    client.notify("workspace/didChangeConfiguration", &json!({ "settings": { "technol": { "language": "xx" } } }));
+    client.notify(
+        "workspace/didChangeConfiguration",
+        &json!({ "settings": { "technol": { "language": "xx" } } }),
+    );
     let message = client.wait_for("window/logMessage");
     assert!(message["params"]["message"].as_str().unwrap().contains("can be \"en\" or \"cs\""));
 }
@@ -206,7 +211,8 @@ fn watchers_are_registered_and_settings_fetched_where_the_client_offers_it() {
     } });
     let mut client = Client::start(None, &capabilities, &json!(null));
     let ask = client.wait_for("client/registerCapability");
-    let methods: Vec<_> = ask["params"]["registrations"].as_array().unwrap().iter().map(|it| &it["method"]).collect();
+    let methods: Vec<_> =
+        ask["params"]["registrations"].as_array().unwrap().iter().map(|it| &it["method"]).collect();
     assert_eq!(methods, ["workspace/didChangeWatchedFiles", "workspace/didChangeConfiguration"]);
     client.send(&json!({ "jsonrpc": "2.0", "id": ask["id"], "error": { "code": -32601, "message": "no" } }));
     let log = client.wait_for("window/logMessage");
@@ -214,7 +220,12 @@ fn watchers_are_registered_and_settings_fetched_where_the_client_offers_it() {
     let ask = client.wait_for("workspace/configuration");
     client.send(&json!({ "jsonrpc": "2.0", "id": ask["id"], "result": [{ "language": "dd" }] }));
     let log = client.wait_for("window/logMessage");
-    assert!(log["params"]["message"].as_str().unwrap().starts_with("Setting technol.language = \"dd\" is ignored"));
+    assert!(
+        log["params"]["message"]
+            .as_str()
+            .unwrap()
+            .starts_with("Setting technol.language = \"dd\" is ignored")
+    );
 }
 
 #[test]
@@ -224,6 +235,7 @@ fn a_change_of_a_document_that_is_not_open_is_logged_and_survived() {
     let log = client.wait_for("window/logMessage");
     assert_eq!(log["params"]["message"], "untitled:nobody was changed but is not open; the change is lost");
     client.close("untitled:nobody");
-    let hover = json!({ "textDocument": { "uri": "untitled:nobody" }, "position": { "line": 0, "character": 0 } });
+    let hover =
+        json!({ "textDocument": { "uri": "untitled:nobody" }, "position": { "line": 0, "character": 0 } });
     assert_eq!(client.request("textDocument/hover", &hover), Value::Null);
 }

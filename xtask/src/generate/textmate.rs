@@ -73,7 +73,8 @@ const GROUPS: &[(Group, &str, &str)] = &[
 fn group(entry: &Entry) -> Option<Group> {
     match entry.kind {
         EntryKind::Instruction => {
-            let leads_on = |kind: OperandKind| matches!(kind, OperandKind::Label | OperandKind::Procedure { .. });
+            let leads_on =
+                |kind: OperandKind| matches!(kind, OperandKind::Label | OperandKind::Procedure { .. });
             let flow = entry.ex_type || entry.operands.iter().any(|it| leads_on(it.kind));
             Some(if flow { Group::Flow } else { Group::Plain })
         }
@@ -139,9 +140,7 @@ fn operands() -> Vec<Value> {
     let system = |constant: bool| -> BTreeSet<String> {
         symbols().filter(|it| is_constant(it.kind) == constant).map(|it| numberless(it.name)).collect()
     };
-    let word = |scope: &str, words: &BTreeSet<String>| {
-        json!({ "name": scope, "match": format!("(?i){FROM}(?:{}){TO}", alternatives(words)) })
-    };
+    let word = |scope: &str, words: &BTreeSet<String>| json!({ "name": scope, "match": format!("(?i){FROM}(?:{}){TO}", alternatives(words)) });
     vec![
         json!({
             "match": format!("(?i){FROM}({})(\\.)", alternatives(&prefixes)),
@@ -202,7 +201,8 @@ mod tests {
     #[test]
     fn jumps_and_waits_are_told_from_the_rest() {
         let flow = names(Group::Flow);
-        for (name, expected) in [("JL1", true), ("TEX0", true), ("EX", true), ("LDR", false), ("STO", false)] {
+        for (name, expected) in [("JL1", true), ("TEX0", true), ("EX", true), ("LDR", false), ("STO", false)]
+        {
             assert_eq!(flow.contains(name), expected, "{name}");
         }
     }

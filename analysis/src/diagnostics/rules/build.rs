@@ -18,7 +18,8 @@ pub static TOO_LARGE: Rule = Rule {
     name: "too-large",
     severity: Severity::Error,
     fixed: true,
-    explanation: "The program or its data are larger than an image can hold.",
+    explanation: "The program or its data are larger than an image can hold. The message names what is too large; shorten \
+        data areas, or leave out what is not needed.",
 };
 
 /// T0803 not-translatable.

@@ -93,8 +93,9 @@ pub static ACCESS_PAST_CELL: Rule = Rule {
     name: "access-past-cell",
     severity: Severity::Warning,
     fixed: false,
-    explanation: "The access reaches past the memory declared for its symbol into what follows it. That is sometimes \
-        meant for neighbouring cells; a larger DS or another prefix makes it clear.",
+    explanation: "The access begins inside a symbol and reaches past its declared memory into what follows it, for instance \
+        `WORD.` on a BYTE cell: the prefix wins (manual 3.9). Declare a larger cell or use another prefix. An access \
+        that begins at a neighbour, written `name+n`, is taken as meant.",
 };
 
 /// T0411 access-outside-data.
@@ -132,5 +133,28 @@ pub static CONSTANT_DESTINATION: Rule = Rule {
     name: "constant-destination",
     severity: Severity::Error,
     fixed: true,
-    explanation: "A constant cannot be written to. Name a cell.",
+    explanation: "The instruction writes to this operand, and a constant cannot be written to. Name a cell.",
+};
+
+/// T0415 never-equal.
+pub static NEVER_EQUAL: Rule = Rule {
+    code: "T0415",
+    name: "never-equal",
+    severity: Severity::Warning,
+    fixed: false,
+    explanation: "LOD extends the sign of what it loads (manual 3.10): a BYTE cell that holds 0FFh loads as -1, so a \
+        comparison with a 32-bit constant of 128 to 255 is never true; the same holds for a WORD cell and 32768 to \
+        65535. Compare at the width of the cell (`EQ BYTE.0FFh`) or mask DR first (`ANDB CNST.0FFh`).",
+};
+
+/// T0416 stale-dividend.
+pub static STALE_DIVIDEND: Rule = Rule {
+    code: "T0416",
+    name: "stale-dividend",
+    severity: Severity::Hint,
+    fixed: false,
+    explanation: "DIVB by a DWORD or a constant divides all 64 bits of DR, but AD, SU, INR, DCR and INV change only as \
+        many bits as their operand has and leave the upper ones (manual 3.12). After LOD of a positive value and a \
+        small sum that makes no difference; when the result changes its sign or grows past its width, the quotient is \
+        wrong. STO the value and LOD it again, or divide by a WORD or BYTE.",
 };

@@ -62,3 +62,13 @@ pub static NESTED_RASTER: Rule = Rule {
     explanation: "DFTM blocks do not stand inside each other: the inner one would be reached only now and then. End \
         the first block before the second begins.",
 };
+
+/// T0707 timer-outside-raster.
+pub static TIMER_OUTSIDE_RASTER: Rule = Rule {
+    code: "T0707",
+    name: "timer-outside-raster",
+    severity: Severity::Warning,
+    fixed: false,
+    explanation: "TM counts passes of the DFTM block around it (manual 3.11). Without such a block it counts passes of \
+        its module, 20 ms or 1 ms each, which is seldom meant. Put it into a DFTM01, DFTM1, DFTM10 or DFTM100 block.",
+};

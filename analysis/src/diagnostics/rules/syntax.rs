@@ -67,7 +67,7 @@ pub static EXPECTED_COMMA: Rule = Rule {
     name: "expected-comma",
     severity: Severity::Error,
     fixed: true,
-    explanation: "Operands are separated by commas.",
+    explanation: "Operands are separated by commas; a blank between two of them is not enough (manual 3.1).",
 };
 
 /// T0108 expected-operation.

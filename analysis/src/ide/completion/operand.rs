@@ -22,9 +22,13 @@ pub(super) fn list(request: &Request<'_>, operand: &Operand, language: Language,
         }),
         Part::Index => {
             keyword("BX", language, list);
-            symbols(request, language, list, |symbol| matches!(symbol.kind, SymbolKind::Constant(_)).then_some(1));
+            symbols(request, language, list, |symbol| {
+                matches!(symbol.kind, SymbolKind::Constant(_)).then_some(1)
+            });
         }
-        Part::Typed(prefix) => symbols(request, language, list, |symbol| behind_prefix(*prefix, &symbol.kind)),
+        Part::Typed(prefix) => {
+            symbols(request, language, list, |symbol| behind_prefix(*prefix, &symbol.kind));
+        }
         Part::Bit(base) => {
             let siblings = base.as_ref().map(|base| bits_of(request, &base.key())).unwrap_or_default();
             symbols(request, language, list, |symbol| match symbol.kind {
@@ -55,7 +59,10 @@ fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mu
         let entry = catalogue::entry(prefix.name());
         let detail = entry.map_or("", |entry| entry.summary.in_language(language)).to_owned();
         let page = entry.map_or(Page::None, Page::Entry);
-        list.add(3, Candidate { label: word.clone(), insert: word, kind: CompletionKind::Prefix, detail, page });
+        list.add(
+            3,
+            Candidate { label: word.clone(), insert: word, kind: CompletionKind::Prefix, detail, page },
+        );
     }
 }
 
@@ -97,8 +104,12 @@ fn fit(operand: OperandKind, symbol: &SymbolKind) -> Option<u8> {
         OperandKind::Address(_) | OperandKind::LiteralOrAddress => fits(is_memory(symbol), 0),
         OperandKind::Mechanism { declares: false } => fits(*symbol == SymbolKind::Mechanism, 0),
         OperandKind::Procedure { declares: false } => fits(*symbol == SymbolKind::Procedure, 0),
-        OperandKind::Number { .. } | OperandKind::Constant | OperandKind::KeywordOrNumber(..) => fits(constant, 1),
-        OperandKind::Text(_) | OperandKind::TextOrLiteral => fits(matches!(symbol, SymbolKind::Text { .. }), 0),
+        OperandKind::Number { .. } | OperandKind::Constant | OperandKind::KeywordOrNumber(..) => {
+            fits(constant, 1)
+        }
+        OperandKind::Text(_) | OperandKind::TextOrLiteral => {
+            fits(matches!(symbol, SymbolKind::Text { .. }), 0)
+        }
         OperandKind::Any => fits(!matches!(symbol, SymbolKind::Macro | SymbolKind::Unknown), 0),
         OperandKind::Label
         | OperandKind::Mechanism { declares: true }
@@ -176,7 +187,8 @@ fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl
         if !list.matches(system.name) {
             continue;
         }
-        let shadowed = scope.globals.contains_key(system.name) || locals.is_some_and(|l| l.contains_key(system.name));
+        let shadowed =
+            scope.globals.contains_key(system.name) || locals.is_some_and(|l| l.contains_key(system.name));
         let Some(symbol) = database::system_symbol(system.name).filter(|_| !shadowed) else { continue };
         if let Some(fit) = fit(&symbol) {
             let detail = system.summary.in_language(language).to_owned();
@@ -234,9 +246,13 @@ fn bits_of(request: &Request<'_>, key: &str) -> Vec<SymbolKey> {
     let file = cursor::local_file(request.db, request.project, request.section);
     let name = database::NameRef::new(request.db, std::sync::Arc::from(key), file);
     let Some(symbol) = database::lookup(request.db, request.project, name) else { return Vec::new() };
-    let Some(site) = cursor::sites(request.db, request.project, &symbol.key).first() else { return Vec::new() };
+    let Some(site) = cursor::sites(request.db, request.project, &symbol.key).first() else {
+        return Vec::new();
+    };
     let names = &database::section_declarations(request.db, site.section).names;
-    let Some(What::Cell { storage }) = names.get(site.index as usize).map(|d| &d.what) else { return Vec::new() };
+    let Some(What::Cell { storage }) = names.get(site.index as usize).map(|d| &d.what) else {
+        return Vec::new();
+    };
     let bits = names.iter().filter(|d| matches!(&d.what, What::Bit { storage: of, .. } if of == storage));
     let scope: SymbolScope = symbol.key.scope;
     bits.map(|d| SymbolKey { scope, name: std::sync::Arc::from(d.name.key()) }).collect()

@@ -48,6 +48,11 @@ fn may_stand(request: &Request<'_>, context: &Context, entry: &Entry) -> bool {
         let around = request.section.outer(request.db);
         return closes(own) || around.iter().any(|kind| closes(*kind));
     }
+    if matches!(entry.name, "MECH_BEGIN" | "PROC_BEGIN")
+        && matches!(own, SectionKind::Mechanism | SectionKind::Procedure)
+    {
+        return false;
+    }
     // The body of a macro goes wherever the macro is used.
     own == SectionKind::Macro && entry.kind != EntryKind::Structure || context.refuses(entry).is_none()
 }

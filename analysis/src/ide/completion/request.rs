@@ -51,11 +51,18 @@ pub(super) enum Part {
 
 impl<'db> Request<'db> {
     /// `None` in comments, texts, numbers, behind a complete operand, and outside of the text.
-    pub(super) fn at(db: &'db dyn Db, project: Project, file: SourceFile, at: Position) -> Option<Request<'db>> {
+    pub(super) fn at(
+        db: &'db dyn Db,
+        project: Project,
+        file: SourceFile,
+        at: Position,
+    ) -> Option<Request<'db>> {
         let text = line_text(file.text(db), at.line)?;
         let column = at.column as usize;
         let before = text.get(..column)?;
-        let start = before.rfind(|c| !is_word(c)).map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+        let start = before
+            .rfind(|c| !is_word(c))
+            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
         let behind = &text[column..];
         let end = column + behind.find(|c| !is_word(c)).unwrap_or(behind.len());
         let typed = &before[start..];
@@ -90,7 +97,7 @@ fn line_text(text: &str, line: u32) -> Option<&str> {
 }
 
 /// The section that owns a line; behind the last line the innermost one that is still open.
-fn section_at<'db>(db: &'db dyn Db, file: SourceFile, line: u32) -> Option<Section<'db>> {
+fn section_at(db: &dyn Db, file: SourceFile, line: u32) -> Option<Section<'_>> {
     let sections = database::sections(db, file);
     if let Some(owner) = sections.iter().find(|section| section.lines(db).binary_search(&line).is_ok()) {
         return Some(*owner);
@@ -131,7 +138,11 @@ fn operand(line: &Line, operation: &Name, head: &str) -> Option<Operand> {
         None | Some(',' | '(') => Part::Whole,
         Some('[') => Part::Index,
         Some('+' | '-') => {
-            if last.is_some_and(is_sum) { Part::Addend } else { Part::Whole }
+            if last.is_some_and(is_sum) {
+                Part::Addend
+            } else {
+                Part::Whole
+            }
         }
         Some('.') => match open_dot(last?)? {
             Expr { kind: ExprKind::Name(name), .. } => match catalogue::prefix(&name.text) {
@@ -158,7 +169,9 @@ fn is_sum(expr: &Expr) -> bool {
 /// What stands before the dot that ends an operand.
 fn open_dot(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
-        ExprKind::Dot { left, right } if right.kind == ExprKind::Error && right.columns.is_empty() => Some(left),
+        ExprKind::Dot { left, right } if right.kind == ExprKind::Error && right.columns.is_empty() => {
+            Some(left)
+        }
         ExprKind::Dot { right: inner, .. }
         | ExprKind::Sum { right: inner, .. }
         | ExprKind::Sign { operand: inner, .. }

@@ -32,7 +32,7 @@ DATA
  COUNT: DS 1
  SPEED: DS 2
  STATE: DFM RUN,FAULT
- OTHER: DFM SPARE
+ OTHER: DFM SPARE,AUX
  TABLE: DS 30
  NOTE:  STR 9
 DATA_END
@@ -54,7 +54,8 @@ fn operations_that_may_stand_in_a_mechanism() {
     for expected in ["LDR", "EX", "TEX0", "MECH_END", "MODULE_MAIN_END", "EQUI", "JUM"] {
         assert!(found.iter().any(|label| label == expected), "{expected}");
     }
-    for unexpected in ["DS", "DFM", "DATA_END", "MODULE_INIT_END", "MODULE_INPUT", "WORD", "NIL", "PROC_END"] {
+    for unexpected in ["DS", "DFM", "DATA_END", "MODULE_INIT_END", "MODULE_INPUT", "WORD", "NIL", "PROC_END"]
+    {
         assert!(!found.iter().any(|label| label == unexpected), "{unexpected}");
     }
 }
@@ -98,49 +99,129 @@ fn what_is_typed_narrows_the_list_and_is_replaced() {
 
 #[test]
 fn closing_a_mechanism_names_it() {
-    insta::assert_snapshot!(check(&project("MECH_E<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("MECH_E<CURSOR> Clamp")), @"");
+    insta::assert_snapshot!(check(&project("MECH_E<CURSOR>")), @"
+    Structure MECH_END -> MECH_END Clamp
+    ");
+    insta::assert_snapshot!(check(&project("MECH_E<CURSOR> Clamp")), @"
+    Structure MECH_END
+    ");
 }
 
 #[test]
 fn bits_for_a_logic_instruction() {
-    insta::assert_snapshot!(check(&project("LDR <CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LDR -R<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("WR RUN,F<CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("LDR <CURSOR>")), @"
+    Bit AUX
+    Bit FAULT
+    Bit RUN
+    Bit SPARE
+    Mechanism Clamp
+    Cell Clamp_LINE
+    Cell COUNT
+    Text NOTE
+    Cell OTHER
+    Cell SPEED
+    Cell STATE
+    Area TABLE
+    ");
+    insta::assert_snapshot!(check(&project("LDR -R<CURSOR>")), @"
+    Bit RUN
+    Bit SPARE
+    Cell OTHER
+    ");
+    insta::assert_snapshot!(check(&project("WR RUN,F<CURSOR>")), @"Bit FAULT");
 }
 
 #[test]
 fn bits_behind_the_dot_of_an_address() {
-    insta::assert_snapshot!(check(&project("LDR STATE.<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LDR -(TABLE+3).<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LDR $+3.sp<CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("LDR STATE.<CURSOR>")), @"
+    Bit FAULT
+    Bit RUN
+    Bit AUX
+    Bit SPARE
+    ");
+    insta::assert_snapshot!(check(&project("LDR -(TABLE+3).<CURSOR>")), @"
+    Bit AUX
+    Bit FAULT
+    Bit RUN
+    Bit SPARE
+    ");
+    insta::assert_snapshot!(check(&project("LDR $+3.sp<CURSOR>")), @"Bit SPARE");
 }
 
 #[test]
 fn cells_constants_and_prefixes_for_a_data_instruction() {
-    insta::assert_snapshot!(check(&project("LOD <CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("STO <CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("LOD <CURSOR>")), @"
+    Cell Clamp_LINE
+    Cell COUNT
+    Cell OTHER
+    Cell SPEED
+    Cell STATE
+    Constant LIMIT
+    Prefix BYTE.
+    Prefix CNST.
+    Prefix DWRD.
+    Prefix HIGH.
+    Prefix QWRD.
+    Prefix REAL.
+    Prefix WORD.
+    ");
+    insta::assert_snapshot!(check(&project("STO <CURSOR>")), @"
+    Cell Clamp_LINE
+    Cell COUNT
+    Cell OTHER
+    Cell SPEED
+    Cell STATE
+    Prefix BYTE.
+    Prefix DWRD.
+    Prefix HIGH.
+    Prefix QWRD.
+    Prefix REAL.
+    Prefix WORD.
+    ");
 }
 
 #[test]
 fn cells_behind_a_prefix() {
-    insta::assert_snapshot!(check(&project("LOD WORD.<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LOD HIGH.S<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LOD CNST.<CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("LOD WORD.<CURSOR>")), @"
+    Cell Clamp_LINE
+    Cell COUNT
+    Text NOTE
+    Cell OTHER
+    Cell SPEED
+    Cell STATE
+    Area TABLE
+    ");
+    insta::assert_snapshot!(check(&project("LOD HIGH.S<CURSOR>")), @"
+    Cell SPEED
+    Cell STATE
+    ");
+    insta::assert_snapshot!(check(&project("LOD CNST.<CURSOR>")), @"Constant LIMIT");
 }
 
 #[test]
 fn mechanisms_procedures_and_labels() {
-    insta::assert_snapshot!(check(&project("MECH_INIT <CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("PROC_CALL <CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("JUM <CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("TEX0 -,LIMIT,<CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("MECH_INIT <CURSOR>")), @"Mechanism Clamp");
+    insta::assert_snapshot!(check(&project("PROC_CALL <CURSOR>")), @"Procedure Step");
+    insta::assert_snapshot!(check(&project("JUM <CURSOR>")), @"Label AGAIN");
+    insta::assert_snapshot!(check(&project("TEX0 -,LIMIT,<CURSOR>")), @"Label AGAIN");
 }
 
 #[test]
 fn sums_and_indexes() {
-    insta::assert_snapshot!(check(&project("LOD WORD.TABLE+<CURSOR>")), @"");
-    insta::assert_snapshot!(check(&project("LOD WORD.TABLE[<CURSOR>")), @"");
+    insta::assert_snapshot!(check(&project("LOD WORD.TABLE+<CURSOR>")), @"
+    Constant LIMIT
+    Cell Clamp_LINE
+    Cell COUNT
+    Text NOTE
+    Cell OTHER
+    Cell SPEED
+    Cell STATE
+    Area TABLE
+    ");
+    insta::assert_snapshot!(check(&project("LOD WORD.TABLE[<CURSOR>")), @"
+    Keyword BX
+    Constant LIMIT
+    ");
 }
 
 #[test]
@@ -159,4 +240,17 @@ fn nothing_where_no_word_of_the_project_may_stand() {
     ] {
         assert_eq!(labels(&project(line)), Vec::<String>::new(), "{line}");
     }
+}
+
+#[test]
+fn an_answer_is_bounded_and_keeps_what_fits_best() {
+    let mut text = String::from("DATA\n");
+    for n in 0..2_000 {
+        let line = format!("CELL{n}: DFM BIT{n}\n");
+        text.push_str(&line);
+    }
+    text.push_str("DATA_END\nMODULE_MAIN\n LDR BIT1<CURSOR>\nMODULE_MAIN_END\n");
+    let found = labels(&text);
+    assert_eq!(found.len(), crate::ide::MOST_COMPLETIONS);
+    assert_eq!(found[..3], ["BIT1", "BIT10", "BIT100"]);
 }

@@ -15,17 +15,18 @@ fn shown(breakpoints: &Value) -> Vec<String> {
 fn breakpoints_go_to_code_or_say_why_not() {
     let mut setup = Setup::launched(vec![]);
     let path = setup.path("main.plc");
-    let breakpoints = setup.client.set_breakpoints(&path, &[12, 22, 9, 27, 29, 41, 39, 34, 43]).unwrap();
+    let breakpoints = setup.client.set_breakpoints(&path, &[12, 22, 10, 9, 28, 29, 41, 39, 34, 43]).unwrap();
     assert_eq!(
         shown(&breakpoints),
         [
             "12: true",
             "23: true line 22 has no code; moved to the next line that has",
-            "11: true line 9 has no code; moved to the next line that has",
-            "27: false MODULE_FAST takes no break-points: the 1 ms raster cannot be held",
+            "11: true line 10 has no code; moved to the next line that has",
+            "9: false no code follows this line in its section",
+            "28: false MODULE_FAST takes no break-points: the 1 ms raster cannot be held",
             "29: false MODULE_FAST takes no break-points: the 1 ms raster cannot be held",
             "41: false MODULE_CONT never stops: it keeps running while the debugger holds the rest",
-            "39: false MODULE_CONT never stops: it keeps running while the debugger holds the rest",
+            "39: false no code follows this line in its section",
             "34: true",
             "43: false no code follows this line in its section",
         ]
@@ -48,7 +49,13 @@ fn what_the_target_refuses_is_not_verified() {
     let full = "the target has no room for more break-points; remove one";
     assert_eq!(
         shown(&breakpoints),
-        ["11: true".into(), format!("20: false {full}"), "12: true".into(), "13: true".into(), format!("23: false {full}")]
+        [
+            "11: true".into(),
+            format!("20: false {full}"),
+            "12: true".into(),
+            "13: true".into(),
+            format!("23: false {full}")
+        ]
     );
 }
 

@@ -91,7 +91,8 @@ fn mechanisms_tell_their_state() {
         Setup::lines(&details),
         ["active = true", "line = 21", "state = EX0", "condition = LDR KSMP", "in state for = 1.2 s"]
     );
-    let set = |name: &str, value: &str| json!({ "variablesReference": spindle, "name": name, "value": value });
+    let set =
+        |name: &str, value: &str| json!({ "variablesReference": spindle, "name": name, "value": value });
     let body = setup.client.request("setVariable", set("active", "0")).unwrap();
     assert_eq!(body["value"], "false");
     assert_eq!(
@@ -118,7 +119,8 @@ fn setting_a_variable_writes_just_that() {
     let (mut setup, frame) = looking();
     let scopes = setup.client.request("scopes", json!({ "frameId": frame["id"] })).unwrap();
     let reference = |name: &str| {
-        scopes["scopes"].as_array().unwrap().iter().find(|s| s["name"] == name).unwrap()["variablesReference"].clone()
+        scopes["scopes"].as_array().unwrap().iter().find(|s| s["name"] == name).unwrap()["variablesReference"]
+            .clone()
     };
     let globals = reference("Variables");
     for (name, value, shown) in [
@@ -181,9 +183,11 @@ fn expressions_are_evaluated_in_every_context() {
             assert_eq!(setup.client.evaluate(expression, context).unwrap(), value, "{expression} {context}");
         }
     }
-    let body = setup.client.request("evaluate", json!({ "expression": "INPUTS", "context": "watch" })).unwrap();
+    let body =
+        setup.client.request("evaluate", json!({ "expression": "INPUTS", "context": "watch" })).unwrap();
     assert_eq!(Setup::lines(&setup.client.children(&body["variablesReference"]).unwrap())[0], "KSMP = true");
-    let body = setup.client.request("evaluate", json!({ "expression": "TABLE", "context": "watch" })).unwrap();
+    let body =
+        setup.client.request("evaluate", json!({ "expression": "TABLE", "context": "watch" })).unwrap();
     assert_eq!(body["indexedVariables"], 20);
     // Local data are seen from the frames of their file.
     setup.mock.state().sequences[1].active = true;
@@ -201,7 +205,10 @@ fn a_running_program_can_be_looked_at_and_changed() {
     let mut setup = Setup::launched(vec![]);
     assert_eq!(setup.client.evaluate("COUNT", "watch").unwrap(), "300 (012Ch)");
     let arguments = json!({ "expression": "KSMM", "value": "true" });
-    assert_eq!(setup.client.request("setExpression", arguments).unwrap(), json!({ "value": "true", "type": "bit" }));
+    assert_eq!(
+        setup.client.request("setExpression", arguments).unwrap(),
+        json!({ "value": "true", "type": "bit" })
+    );
     assert_eq!(setup.client.evaluate("KSMM", "watch").unwrap(), "true");
     let constant = json!({ "expression": "LIMIT", "value": "1" });
     assert_eq!(setup.refusal("setExpression", constant), "`LIMIT` cannot be changed: it is a constant");
@@ -215,7 +222,7 @@ fn the_console_takes_commands() {
     for (line, said) in [
         ("fault stuck contactor on", "fault stuck contactor is on"),
         ("press start", "key start pressed"),
-        ("press start down", "key start held down"),
+        ("hold start", "key start held down"),
         ("start turret", "TURRET started"),
         ("stop TURRET", "TURRET put into rest"),
         ("COUNT = 12", "COUNT = 12 (000Ch)"),
@@ -223,11 +230,12 @@ fn the_console_takes_commands() {
     ] {
         assert_eq!(setup.client.evaluate(line, "repl").unwrap(), said);
     }
-    assert!(setup.client.evaluate("help", "repl").unwrap().contains("press KEY [down|up]"));
+    assert!(setup.client.evaluate("help", "repl").unwrap().contains("release KEY "));
     for (line, error) in [
         ("fault stuck contactor", "usage: fault NAME on|off — switch a fault of the simulated machine"),
         ("fault other on", "the target refuses: there is no fault `other`"),
         ("start NOBODY", "there is no mechanism `NOBODY`"),
+        ("plc dance", "usage: plc start|stop|clear — start, stop or clear the PLC"),
     ] {
         assert_eq!(setup.refusal("evaluate", json!({ "expression": line, "context": "repl" })), error);
     }

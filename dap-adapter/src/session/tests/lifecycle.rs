@@ -23,7 +23,8 @@ fn capabilities_agree_with_the_handlers() {
         assert!(offers(command), "{command} is handled but not offered");
     }
     // What is offered and is no request of its own.
-    let behaviours = ["supportsEvaluateForHovers", "supportsValueFormattingOptions", "supportTerminateDebuggee"];
+    let behaviours =
+        ["supportsEvaluateForHovers", "supportsValueFormattingOptions", "supportTerminateDebuggee"];
     for field in capabilities.as_object().unwrap().keys() {
         let handled = COMMANDS.iter().any(|c| c.capability == Some(field.as_str()));
         assert!(handled || behaviours.contains(&field.as_str()), "{field} is offered but not handled");
@@ -54,7 +55,10 @@ fn a_launch_builds_downloads_and_starts() {
     );
     assert_eq!(
         *setup.mock.asked.lock().unwrap(),
-        [TargetSpec::Embedded { machine: Some(setup.folder.path().join("machine.toml")), clock: Clock::Real }]
+        [TargetSpec::Embedded {
+            machine: Some(setup.folder.path().join("machine.toml")),
+            clock: Clock::Real
+        }]
     );
     let order: Vec<String> = setup
         .mock
@@ -111,7 +115,10 @@ fn a_failed_build_lists_its_errors() {
     setup.client.initialize().unwrap();
     let arguments = setup.launch_arguments();
     let message = setup.refusal("launch", arguments.clone());
-    assert!(message.starts_with("the build failed with 5 errors: spindle.plc:1: unknown name `KSMQ` [T0201]"), "{message}");
+    assert!(
+        message.starts_with("the build failed with 5 errors: spindle.plc:1: unknown name `KSMQ` [T0201]"),
+        "{message}"
+    );
     let output = setup.client.event_where(Mark::START, "output", |b| b["line"] == 5).unwrap();
     assert_eq!(output["output"], "/p/spindle.plc:5:3: error [T0201]: unknown name `KSMQ`\n");
     assert_eq!(output["source"]["path"], "/p/spindle.plc");
@@ -121,7 +128,8 @@ fn a_failed_build_lists_its_errors() {
 
 #[test]
 fn a_target_that_is_not_there_is_told_as_the_connector_told_it() {
-    let reason = "nothing listens at tcp:plc:5000: connection refused; start `technol target --listen tcp:plc:5000`";
+    let reason =
+        "nothing listens at tcp:plc:5000: connection refused; start `technol target --listen tcp:plc:5000`";
     let mut setup = Setup::with(Mock::absent(reason), |_| {});
     setup.client.initialize().unwrap();
     let arguments = setup.launch_arguments();
@@ -159,14 +167,20 @@ fn attaching_to_another_program_tells_the_remedy() {
 fn attaching_starts_nothing_and_leaving_stops_nothing() {
     let mut setup = Setup::with(Mock::new().running(), |_| {});
     setup.client.initialize().unwrap();
-    setup.client.request("attach", json!({ "program": setup.folder.path(), "target": "tcp:plc:5000" })).unwrap();
+    setup
+        .client
+        .request("attach", json!({ "program": setup.folder.path(), "target": "tcp:plc:5000" }))
+        .unwrap();
     setup.client.event(Mark::START, "initialized").unwrap();
     setup.client.request("configurationDone", Value::Null).unwrap();
     let process = setup.client.event(Mark::START, "process").unwrap();
     assert_eq!(process, json!({ "name": "sample", "startMethod": "attach" }));
     setup.client.disconnect(Value::Null).unwrap();
     assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Start { .. } | Request::Stop)), []);
-    assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })), [Request::Goodbye { stop: false }]);
+    assert_eq!(
+        setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })),
+        [Request::Goodbye { stop: false }]
+    );
 }
 
 #[test]
@@ -174,7 +188,10 @@ fn attaching_to_a_held_program_shows_where_it_is_held() {
     let mut setup = Setup::with(Mock::new().running(), |_| {});
     setup.mock.state().status.held = true;
     setup.client.initialize().unwrap();
-    setup.client.request("attach", json!({ "program": setup.folder.path(), "target": "tcp:plc:5000" })).unwrap();
+    setup
+        .client
+        .request("attach", json!({ "program": setup.folder.path(), "target": "tcp:plc:5000" }))
+        .unwrap();
     setup.client.request("configurationDone", Value::Null).unwrap();
     let stopped = setup.client.event(Mark::START, "stopped").unwrap();
     assert_eq!((&stopped["reason"], &stopped["threadId"]), (&json!("pause"), &json!(2)));
@@ -190,7 +207,10 @@ fn disconnecting_ends_what_was_launched_unless_told_otherwise() {
     ] {
         let mut setup = Setup::launched(vec![]);
         setup.client.disconnect(arguments).unwrap();
-        assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })), [Request::Goodbye { stop }]);
+        assert_eq!(
+            setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })),
+            [Request::Goodbye { stop }]
+        );
     }
 }
 
@@ -225,7 +245,10 @@ fn a_plc_that_does_not_end_is_cut_off() {
     setup.mock.state().never_stops = true;
     setup.client.request("terminate", Value::Null).unwrap();
     setup.client.event(Mark::START, "terminated").unwrap();
-    assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })), [Request::Goodbye { stop: true }]);
+    assert_eq!(
+        setup.mock.asked_for(|r| matches!(r, Request::Goodbye { .. })),
+        [Request::Goodbye { stop: true }]
+    );
 }
 
 #[test]
@@ -241,7 +264,11 @@ fn a_restart_keeps_session_and_breakpoints() {
     let stopped = setup.client.event(mark, "stopped").unwrap();
     assert_eq!(stopped["hitBreakpointIds"], json!([1]));
     assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Start { cold: true, .. })).len(), 2);
-    assert_eq!(setup.mock.asked_for(|r| matches!(r, Request::Commit)).len(), 1, "nothing changed, nothing downloaded");
+    assert_eq!(
+        setup.mock.asked_for(|r| matches!(r, Request::Commit)).len(),
+        1,
+        "nothing changed, nothing downloaded"
+    );
 }
 
 #[test]
@@ -252,7 +279,9 @@ fn a_lost_link_ends_the_session() {
     let output = setup.client.event_where(mark, "output", |b| b["category"] == "important").unwrap();
     assert!(output["output"].as_str().unwrap().starts_with("the link to the target is lost: "), "{output}");
     setup.client.event(mark, "terminated").unwrap();
-    assert!(setup.refusal("evaluate", json!({ "expression": "KSMP" })).contains("after the session has ended"));
+    assert!(
+        setup.refusal("evaluate", json!({ "expression": "KSMP" })).contains("after the session has ended")
+    );
     setup.client.disconnect(Value::Null).unwrap();
 }
 
@@ -265,7 +294,9 @@ fn a_disconnect_gets_through_while_a_build_takes_long() {
     let started = Instant::now();
     setup.client.disconnect(Value::Null).unwrap();
     assert!(started.elapsed() < Duration::from_secs(5));
-    assert!(matches!(setup.client.response(launch), Err(ClientError::Refused { message, .. }) if message == "cancelled"));
+    assert!(
+        matches!(setup.client.response(launch), Err(ClientError::Refused { message, .. }) if message == "cancelled")
+    );
 }
 
 #[test]

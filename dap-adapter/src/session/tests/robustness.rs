@@ -16,15 +16,28 @@ fn requests_at_the_wrong_time_are_refused_and_harmless() {
     assert!(setup.refusal("stackTrace", json!({ "threadId": 1 })).contains("before the program runs"));
     setup.client.request("configurationDone", Value::Null).unwrap();
     assert!(setup.refusal("configurationDone", Value::Null).contains("under way"));
-    assert!(setup.refusal("stackTrace", json!({ "threadId": 1 })).contains("needs a program that is stopped"));
+    assert!(
+        setup.refusal("stackTrace", json!({ "threadId": 1 })).contains("needs a program that is stopped")
+    );
     assert_eq!(setup.refusal("teleport", Value::Null), "the request `teleport` is not known here");
     setup.client.request("threads", Value::Null).unwrap();
 }
 
 #[test]
+fn terminating_before_anything_runs_ends_the_session() {
+    let mut setup = Setup::new();
+    setup.client.initialize().unwrap();
+    setup.client.request("terminate", Value::Null).unwrap();
+    setup.client.event(Mark::START, "terminated").unwrap();
+    setup.client.request("terminate", Value::Null).unwrap();
+    setup.client.disconnect(Value::Null).unwrap();
+}
+
+#[test]
 fn a_refusal_carries_the_words_clients_look_for() {
     let mut setup = Setup::launched(vec![]);
-    let Err(ClientError::Refused { response, .. }) = setup.client.request("next", json!({ "threadId": 1 })) else {
+    let Err(ClientError::Refused { response, .. }) = setup.client.request("next", json!({ "threadId": 1 }))
+    else {
         panic!()
     };
     assert_eq!(response["message"], "notStopped");
@@ -40,7 +53,9 @@ fn malformed_messages_are_answered_or_told_and_survived() {
     setup.client.send_raw(broken.as_bytes()).unwrap();
     let Err(ClientError::Refused { message, .. }) = setup.client.response(90) else { panic!() };
     assert!(message.starts_with("the message is not valid JSON"), "{message}");
-    for junk in ["nonsense\r\n\r\n".to_owned(), frame("{"), frame("[]"), frame("{\"command\": 7}"), frame("null")] {
+    for junk in
+        ["nonsense\r\n\r\n".to_owned(), frame("{"), frame("[]"), frame("{\"command\": 7}"), frame("null")]
+    {
         let mark = setup.client.mark();
         setup.client.send_raw(junk.as_bytes()).unwrap();
         let told = setup.client.event(mark, "output").unwrap();
@@ -96,8 +111,24 @@ fn arguments() -> impl Strategy<Value = Value> {
         prop_oneof!["KSMP", "SPINDLE", "main.plc", "TABLE"].prop_map(Value::from),
     ];
     let keys = prop::sample::select(vec![
-        "threadId", "frameId", "variablesReference", "name", "value", "expression", "context", "source", "path",
-        "breakpoints", "line", "start", "count", "levels", "startFrame", "filters", "text", "column",
+        "threadId",
+        "frameId",
+        "variablesReference",
+        "name",
+        "value",
+        "expression",
+        "context",
+        "source",
+        "path",
+        "breakpoints",
+        "line",
+        "start",
+        "count",
+        "levels",
+        "startFrame",
+        "filters",
+        "text",
+        "column",
     ]);
     leaf.prop_recursive(2, 20, 6, move |inner| {
         prop_oneof![

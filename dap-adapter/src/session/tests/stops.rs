@@ -18,8 +18,12 @@ fn a_stop_belongs_to_the_thread_of_its_mechanism() {
         })
     );
     // The thread is announced before it stops.
-    let names: Vec<&Value> =
-        setup.client.timeline().iter().filter(|m| m["event"] == "thread" || m["event"] == "stopped").collect();
+    let names: Vec<&Value> = setup
+        .client
+        .timeline()
+        .iter()
+        .filter(|m| m["event"] == "thread" || m["event"] == "stopped")
+        .collect();
     let ids: Vec<&Value> = names.iter().map(|m| &m["body"]["threadId"]).collect();
     assert_eq!(ids, [&json!(1), &json!(2), &json!(2)]);
     assert_eq!(names[2]["event"], "stopped");
@@ -110,7 +114,10 @@ fn continue_tells_that_all_threads_go_on() {
     let mut setup = Setup::stopped();
     let body = setup.client.request("continue", json!({ "threadId": 2 })).unwrap();
     assert_eq!(body, json!({ "allThreadsContinued": true }));
-    assert_eq!(setup.refusal("next", json!({ "threadId": 2 })), "`next` needs a program that is stopped; use `pause` first");
+    assert_eq!(
+        setup.refusal("next", json!({ "threadId": 2 })),
+        "`next` needs a program that is stopped; use `pause` first"
+    );
 }
 
 #[test]
@@ -198,7 +205,10 @@ fn swarms_of_overruns_are_summed_up() {
     for cycle in 0..30 {
         setup.mock.say(Event::Overrun { cycle, fast: false });
     }
-    setup.client.event_where(Mark::START, "output", |b| b["output"] == "29 more overruns within a second\n").unwrap();
+    setup
+        .client
+        .event_where(Mark::START, "output", |b| b["output"] == "29 more overruns within a second\n")
+        .unwrap();
     let told = setup.client.timeline().iter().filter(|m| m.to_string().contains("overrun")).count();
     assert_eq!(told, 2);
 }

@@ -2,9 +2,9 @@
 
 use technol_image::op::{Cond, Op};
 use technol_image::program::ModuleKind;
-use technol_runtime::{Command, FaultKind, Limits, PlcState, RateKind, RuntimeEvent, TickOutcome};
+use technol_runtime::{Command, FaultKind, Limits, PlcState, RateKind, Resume, RuntimeEvent, TickOutcome};
 
-use crate::support::{Bench, Builder, GLOBAL as A, count};
+use crate::support::{Bench, Builder, GLOBAL as A, bit, count, la, ldr};
 
 /// A mechanism that counts its rounds in the first WORD of data, without end.
 fn endless(yields: bool) -> Bench {
@@ -86,4 +86,47 @@ fn overwritten_continuation_is_a_fault() {
     assert_eq!(bench.tick(), TickOutcome::Stopped);
     let kind = bench.plc.fault().map(|fault| fault.kind);
     assert_eq!(kind, Some(FaultKind::BadContinuation { sequence: 0, point: 2 }));
+}
+
+#[test]
+fn budget_ends_at_the_same_operation_freely_and_stepped() {
+    // A loop of a fused equation and a jump: every place in it is where the budget may end.
+    for per_pass in 1..20 {
+        let mut bench = Builder::new()
+            .main(|b| {
+                let again = b.label();
+                b.place(again);
+                b.ops([ldr(bit(A, 0)), la(bit(A, 1)), Op::Complement, Op::Write(bit(A, 2))]);
+                b.jump(again, Cond::Always);
+            })
+            .load()
+            .started();
+        bench.plc.set_limits(Limits { per_pass, ..Limits::default() });
+        let mut stepped = bench.clone();
+        assert_eq!(bench.tick(), TickOutcome::Stopped);
+        assert_eq!(bench.plc.fault().map(|fault| fault.pc), Some(per_pass % 5));
+        stepped.plc.pause();
+        while stepped.plc.fault().is_none() {
+            stepped.tick();
+            stepped.plc.resume(Resume::StepInto);
+        }
+        assert_eq!(bench.plc.fault(), stepped.plc.fault());
+        assert_eq!(bench.plc.state_hash(), stepped.plc.state_hash());
+    }
+}
+
+#[test]
+fn what_runs_while_held_does_not_count_as_overrun() {
+    let mut b = Builder::new();
+    b.module(ModuleKind::Main, 0, |b| b.ops([Op::Nop; 3]));
+    b.module(ModuleKind::Cont, 0, |b| b.ops([Op::Nop; 3]));
+    let mut bench = b.load().started();
+    bench.plc.set_limits(Limits { per_cycle: Some(8), ..Limits::default() });
+    bench.plc.set_breakpoints(&[1]);
+    for _ in 0..100 {
+        bench.tick();
+    }
+    bench.plc.resume(Resume::Continue);
+    bench.millis(1);
+    assert!(!bench.events.iter().any(|e| matches!(e, RuntimeEvent::Overrun { .. })));
 }

@@ -272,6 +272,32 @@ fn counter_restarts_when_its_state_is_entered_anew() {
 }
 
 #[test]
+fn counter_restarts_behind_another_ex_type_instruction_that_passes() {
+    let other = bit(A, 2);
+    let mut bench = Builder::new()
+        .main(|b| {
+            b.mechanism(|b| {
+                let (error, timed) = (b.label(), b.label());
+                b.op(ldr(other));
+                b.jump(timed, Cond::IfNotRlo);
+                b.bex();
+                b.place(timed);
+                b.op(ldr(GO));
+                b.tex(false, TIMER, Source::Int(5), error, None);
+                b.place(error);
+            });
+        })
+        .load()
+        .started();
+    bench.activate(0);
+    bench.cycles(4);
+    assert_eq!(bench.word(TIMER), 4);
+    bench.set(other, true);
+    bench.cycles(1);
+    assert_eq!(bench.word(TIMER), 1);
+}
+
+#[test]
 fn counter_restarts_on_mech_init() {
     let mut bench = Builder::new()
         .main(|b| {

@@ -1,0 +1,192 @@
+//! Sums of an operand: one address, constants, `$`, an index.
+
+use super::address::{Misshape, PrefixUse, Shape, Term, TermKind};
+use super::code::CodeReader;
+use super::constant::character;
+use super::operands::{describe, integer};
+use super::program::width;
+use super::reference::ReferenceAccess;
+use super::scope::{Symbol, SymbolKind};
+use crate::diagnostics::rules::{names, operands as rules, syntax};
+use crate::syntax::ast::{Expr, ExprKind, Name};
+
+/// Largest distance from a symbol in bytes, more than any memory has.
+const MAX_OFFSET: u64 = 0x0FFF_FFFF;
+
+/// A sum of terms, resolved.
+pub(super) struct Sum {
+    /// The one symbol with memory in it.
+    pub(super) symbol: Option<Symbol>,
+    /// `$` stands in it.
+    pub(super) dollar: bool,
+    pub(super) offset: i64,
+    pub(super) indexed: bool,
+    /// A name that is a constant, or a number, and nothing else.
+    pub(super) constant: bool,
+}
+
+/// The shape of an operand; reports what has none.
+pub(super) fn shape<'a>(reader: &mut CodeReader<'_>, expr: &'a Expr) -> Option<Shape<'a>> {
+    match Shape::of(expr) {
+        Ok(shape) => {
+            if let Some(prefix) = &shape.prefix {
+                misspelled(reader, prefix);
+            }
+            Some(shape)
+        }
+        Err(Misshape::Reported) => {
+            reader.clean = false;
+            None
+        }
+        Err(Misshape::Form(columns, message)) => {
+            reader.report(&rules::OPERAND_KIND, columns, message);
+            None
+        }
+    }
+}
+
+/// Reports `CNTS.`.
+pub(super) fn misspelled(reader: &mut CodeReader<'_>, prefix: &PrefixUse) {
+    if prefix.misspelled {
+        let finding = crate::diagnostics::Finding::new(
+            &syntax::MISSPELLED_PREFIX,
+            reader.line,
+            prefix.columns.clone(),
+            "CNTS. is read as CNST.",
+        );
+        reader.push_finding(finding.replace("write CNST", prefix.columns.clone(), "CNST"));
+    }
+}
+
+pub(super) fn sum(
+    reader: &mut CodeReader<'_>,
+    shape: &Shape<'_>,
+    expr: &Expr,
+    uses: ReferenceAccess,
+) -> Option<Sum> {
+    let mut sum = Sum { symbol: None, dollar: false, offset: 0, indexed: false, constant: true };
+    let element = shape.prefix.as_ref().map(|prefix| width(prefix.prefix).bytes());
+    for term in &shape.terms {
+        add(reader, &mut sum, term, element, uses)?;
+    }
+    if sum.dollar && sum.symbol.is_some() {
+        let message = "$ stands for the byte of the bit; no other address can be added to it";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
+    }
+    if !sum.constant && sum.offset.unsigned_abs() > MAX_OFFSET {
+        reader.report(&rules::CONSTANT_TOO_LARGE, expr.columns.clone(), "the offset is too large");
+        return None;
+    }
+    Some(sum)
+}
+
+fn add(
+    reader: &mut CodeReader<'_>,
+    sum: &mut Sum,
+    term: &Term<'_>,
+    element: Option<u32>,
+    uses: ReferenceAccess,
+) -> Option<()> {
+    let step = |value: i64| if term.minus { value.checked_neg() } else { Some(value) };
+    let overflow = |reader: &mut CodeReader<'_>| {
+        reader.report(&rules::CONSTANT_TOO_LARGE, term.columns.clone(), "the value is too large");
+    };
+    let value = match &term.kind {
+        TermKind::Integer(value) => *value,
+        TermKind::Text(text) => {
+            if let Some(value) = character(text) {
+                value
+            } else {
+                let message = "a character constant is one character in apostrophes";
+                reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
+                return None;
+            }
+        }
+        TermKind::Real(_) => {
+            let message = "a number with a decimal point cannot be part of an address or sum";
+            reader.report(&rules::REAL_NOT_ALLOWED, term.columns.clone(), message);
+            return None;
+        }
+        TermKind::Dollar => {
+            sum.dollar = true;
+            sum.constant = false;
+            return Some(());
+        }
+        TermKind::Name(name)
+            if name.text.eq_ignore_ascii_case("BX") && sum.symbol.is_some() && !term.minus =>
+        {
+            sum.indexed = true;
+            return Some(());
+        }
+        TermKind::Name(name) => {
+            let symbol = reader.resolve(name, uses)?;
+            match symbol.kind {
+                SymbolKind::Constant(value) => value,
+                _ => return memory(reader, sum, term, symbol, name),
+            }
+        }
+        TermKind::Indexed(name, index) => {
+            let symbol = reader.resolve(name, uses)?;
+            let by_bx = matches!(&index.kind, ExprKind::Name(index) if index.text.eq_ignore_ascii_case("BX"));
+            if by_bx {
+                sum.indexed = true;
+            } else {
+                let number = integer(reader, index)?;
+                let size = match symbol.kind {
+                    SymbolKind::Array { element, .. } => element.bytes(),
+                    SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
+                    _ => {
+                        let message = format!(
+                            "{} is {}: name[n] is for arrays; write {}+n for a byte offset, or {}[BX]",
+                            name.text,
+                            describe(&symbol.kind),
+                            name.text,
+                            name.text
+                        );
+                        reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
+                        return None;
+                    }
+                };
+                if let Some(offset) =
+                    number.checked_mul(i64::from(size)).and_then(|bytes| sum.offset.checked_add(bytes))
+                {
+                    sum.offset = offset;
+                } else {
+                    overflow(reader);
+                    return None;
+                }
+            }
+            return memory(reader, sum, term, symbol, name);
+        }
+    };
+    if let Some(offset) = step(value).and_then(|value| sum.offset.checked_add(value)) {
+        sum.offset = offset;
+        Some(())
+    } else {
+        overflow(reader);
+        None
+    }
+}
+
+fn memory(
+    reader: &mut CodeReader<'_>,
+    sum: &mut Sum,
+    term: &Term<'_>,
+    symbol: Symbol,
+    name: &Name,
+) -> Option<()> {
+    sum.constant = false;
+    if matches!(symbol.kind, SymbolKind::Procedure | SymbolKind::Macro) {
+        let message = format!("{} is {} and has no memory", name.text, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
+        return None;
+    }
+    if term.minus || sum.symbol.is_some() {
+        let message = format!("{} is an address; to an address only constants can be added", name.text);
+        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
+        return None;
+    }
+    sum.symbol = Some(symbol);
+    Some(())
+}
