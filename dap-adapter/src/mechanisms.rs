@@ -24,9 +24,17 @@ pub(crate) fn line(mechanism: &Mechanism, now: &SequenceState) -> u32 {
     }
 }
 
-/// `EX0 LDR KSMP`: the instruction and what it depends on.
-pub(crate) fn state_text(state: &State) -> String {
-    format!("{} {}", state.mnemonic, state.condition).trim_end().to_owned()
+/// Characters of a condition in one line of a list.
+const CONDITION: usize = 32;
+
+/// `EX0 LDR KSMP`: the instruction and what it depends on, shortened.
+fn state_text(state: &State) -> String {
+    let mut condition: String = state.condition.chars().take(CONDITION).collect();
+    if condition.len() < state.condition.len() {
+        condition.truncate(condition.trim_end_matches([' ', '/']).len());
+        condition.push('…');
+    }
+    format!("{} {condition}", state.mnemonic).trim_end().to_owned()
 }
 
 /// Time in the present state, in milliseconds.
@@ -97,6 +105,13 @@ mod tests {
         }
         assert_eq!(summary(&spindle(), &at(0, 0, false)), "at rest");
         assert_eq!(summary(&spindle(), &at(42, 7, false)), "paused at line 42");
+    }
+
+    #[test]
+    fn long_conditions_are_shortened() {
+        let mut long = spindle();
+        long.states[0].condition = "LDR  K_CW / LO   K_CCW / LA   -SP_WANT_CW / LA  SP_STAND".into();
+        assert_eq!(summary(&long, &at(42, 0, true)), "line 42 EX0 LDR  K_CW / LO   K_CCW / LA   -S… (0 ms)");
     }
 
     #[test]

@@ -299,9 +299,9 @@ impl State {
                 self.sequences[usize::from(sequence)].active = active;
                 Response::Done
             }
-            Request::SetFault { name, .. } if name != "stuck contactor" => {
-                Response::Failed(Failure::NotFound(format!("fault `{name}`")))
-            }
+            Request::SetFault { name, .. } if name != "stuck contactor" => Response::Failed(
+                Failure::NotFound(format!("`{name}` is not known; there is stuck contactor")),
+            ),
             Request::SetRegisters(_)
             | Request::Clear
             | Request::SetFault { .. }

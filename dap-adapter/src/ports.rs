@@ -130,7 +130,7 @@ fn note_copy(op: &Op, next: Option<&Op>, names: &Names, found: &mut Found) {
         }
         (Op::Move { dst, src, width, .. }, _) => note_bytes(*src, *dst, width.bytes(), names, found),
         (Op::Copy { src, dst, len }, _) => {
-            note_bytes(*src, *dst, (*len).min(system::IN_PORT_COUNT), names, found)
+            note_bytes(*src, *dst, (*len).min(system::IN_PORT_COUNT), names, found);
         }
         _ => {}
     }

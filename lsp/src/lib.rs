@@ -1,6 +1,6 @@
 //! Language Server Protocol server for TECHNOL: tower-lsp on one side, `technol-analysis` on the other.
 //!
-//! The way of a message: [`transport`](self) takes it and hands it to the main loop's thread in the order it came;
+//! The way of a message: `transport` takes it and hands it to the main loop's thread in the order it came;
 //! the main loop owns documents and projects, changes them, and sends what takes time to a pool of threads with a
 //! snapshot; the answer comes back to the main loop, which is the only one to answer. See
 //! `docs/design/language-server.md`.

@@ -194,10 +194,10 @@ impl MainLoop {
             let messages = self.published.drop_project(home);
             self.tell(&messages);
         }
-        let now = Instant::now() + DEBOUNCE;
+        let at = Instant::now() + DEBOUNCE;
         for (homes, reload) in [(effects.changed, false), (effects.reload, true)] {
             for home in homes {
-                let due = self.due.entry(home).or_insert(Due { at: now, reload });
+                let due = self.due.entry(home).or_insert(Due { at, reload });
                 due.reload |= reload;
             }
         }

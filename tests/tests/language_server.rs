@@ -1,6 +1,6 @@
 //! The language server as an editor meets it: the real program as a child process, on the lathe of `examples/`.
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::OnceLock;
@@ -259,8 +259,8 @@ fn a_session_on_the_lathe() {
 fn a_request_can_be_cancelled_while_it_is_worked_on() {
     let mut server = Server::on_the_lathe(None);
     let long = "untitled:long";
-    let lines: String = (0..20_000).map(|n| format!("CELL_{n}: DS 2\n")).collect();
-    let text = format!("DATA\n{lines}DATA_END\nMODULE_MAIN\nMODULE_MAIN_END\n");
+    let cells: Vec<String> = (0..20_000).map(|n| format!("CELL_{n}: DS 2")).collect();
+    let text = format!("DATA\n{}\nDATA_END\nMODULE_MAIN\nMODULE_MAIN_END\n", cells.join("\n"));
     let open =
         json!({ "textDocument": { "uri": long, "languageId": "technol", "version": 1, "text": text } });
     server.write(&[

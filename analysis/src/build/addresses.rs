@@ -1,6 +1,8 @@
 //! Every name of a project with its address or number, as relocation asks for them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use rustc_hash::FxHashMap;
 use technol_image::op::Addr;
 use technol_image::program::{Region, RegionKind};
 
@@ -26,39 +28,39 @@ pub(super) struct Addresses<'a> {
     pub(super) layout: &'a Layout,
     system: BTreeMap<&'static str, &'static SystemSymbol>,
     regions: Vec<Region>,
-    procedures: HashMap<&'a str, u16>,
+    procedures: FxHashMap<&'a str, u16>,
     /// By section.
     numbers: Vec<Option<u16>>,
-    nested: HashMap<(u16, SectionKind, &'a str, u32), usize>,
+    nested: FxHashMap<(u16, SectionKind, &'a str, u32), usize>,
 }
 
 impl<'a> Addresses<'a> {
     /// Collects all names of `input`. Sequences and procedures are numbered in order of their sections.
-    pub(super) fn new(input: &'a ProjectInput, layout: &'a Layout, regions: &[Region]) -> Self {
+    pub(super) fn new(input: &'a ProjectInput<'a>, layout: &'a Layout, regions: &[Region]) -> Self {
         let mut addresses = Addresses {
             layout,
             system: BTreeMap::new(),
             regions: regions.to_vec(),
-            procedures: HashMap::new(),
+            procedures: FxHashMap::default(),
             numbers: Vec::with_capacity(input.sections.len()),
-            nested: HashMap::new(),
+            nested: FxHashMap::default(),
         };
         let (mut sequences, mut procedures) = (0u16, 0u16);
         for (index, section) in input.sections.iter().enumerate() {
-            addresses.add_system(&section.code.slots);
+            addresses.add_system(section.code.map_or(&[], |code| &code.slots));
             let mut number = None;
             if sequence_kind(section.kind).is_some() {
                 number = Some(sequences);
                 sequences = sequences.saturating_add(1);
             }
             if section.kind == SectionKind::Procedure {
-                addresses.procedures.entry(&section.name).or_insert(procedures);
+                addresses.procedures.entry(section.name).or_insert(procedures);
                 number = Some(procedures);
                 procedures = procedures.saturating_add(1);
             }
             addresses.numbers.push(number);
             if matches!(section.kind, SectionKind::Mechanism | SectionKind::Procedure) {
-                addresses.nested.insert((section.file, section.kind, &section.name, section.ordinal), index);
+                addresses.nested.insert((section.file, section.kind, section.name, section.ordinal), index);
             }
         }
         addresses

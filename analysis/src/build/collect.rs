@@ -16,10 +16,10 @@ use crate::syntax::section::SectionKind;
 
 /// The code of a section. Made again only when the meaning of the section changes, not when it moves.
 #[salsa::tracked]
-pub fn section_code<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Arc<SectionCode> {
+pub fn section_code<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionCode {
     let body = &database::section_analysis(db, project, section).body;
     let own_lines = section.text(db).lines().count() as u32;
-    Arc::new(lower(section.kind(db), own_lines, body))
+    lower(section.kind(db), own_lines, body)
 }
 
 /// Whether sections of this kind become code.
@@ -32,45 +32,46 @@ fn all_files(db: &dyn Db, project: Project) -> impl Iterator<Item = SourceFile> 
 }
 
 /// Collects the input of a build.
-fn collect(db: &dyn Db, project: Project) -> ProjectInput {
+fn collect(db: &dyn Db, project: Project) -> ProjectInput<'_> {
     let mut index = HashMap::new();
     let mut files = Vec::new();
     for file in all_files(db, project) {
         index.insert(file, files.len() as u16);
-        let (path, text) = (file.path(db).clone(), Arc::clone(file.text(db)));
-        files.push(FileInput { path, order: file.order(db), text });
+        files.push(FileInput { path: file.path(db), order: file.order(db), text: file.text(db) });
     }
     let parts = &database::parts(db, project).parts;
     let sections = parts.iter().map(|part| {
         let section = part.section;
-        let code =
-            if has_code(part.kind) { Arc::clone(section_code(db, project, section)) } else { Arc::default() };
         SectionInput {
             file: index.get(&section.file(db)).copied().unwrap_or_default(),
             owner: part.file,
             kind: part.kind,
-            name: Arc::clone(section.name(db)),
+            name: section.name(db),
             ordinal: section.ordinal(db),
-            lines: section.lines(db).as_slice().into(),
-            text: Arc::clone(section.text(db)),
-            declarations: Arc::new(database::resolved_declarations(db, project, section).clone()),
-            code,
+            lines: section.lines(db),
+            text: section.text(db),
+            declarations: database::resolved_declarations(db, project, section),
+            code: has_code(part.kind).then(|| section_code(db, project, section)),
         }
     });
     let settings = project.settings(db);
-    let (name, debug_everywhere) = (settings.name.clone(), settings.debug_everywhere);
-    ProjectInput { name, debug_everywhere, sections: sections.collect(), files }
+    ProjectInput {
+        name: &settings.name,
+        debug_everywhere: settings.debug_everywhere,
+        sections: sections.collect(),
+        files,
+    }
 }
 
 /// The problems, each at the text of its line.
-fn diagnostics(input: &ProjectInput, problems: &[BuildProblem]) -> Vec<(String, Diagnostic)> {
+fn diagnostics(input: &ProjectInput<'_>, problems: &[BuildProblem]) -> Vec<(String, Diagnostic)> {
     let mut lines: HashMap<u16, Vec<&str>> = HashMap::new();
     let located = problems.iter().map(|problem| {
         let file = input.files.get(usize::from(problem.file));
-        let text = file.map_or("", |f| f.text.as_ref());
+        let text = file.map_or("", |f| f.text);
         let lines = lines.entry(problem.file).or_insert_with(|| text.lines().collect());
         let line = lines.get(problem.line as usize).copied().unwrap_or_default();
-        (file.map(|f| f.path.clone()).unwrap_or_default(), diagnostic(problem, line))
+        (file.map_or_else(String::new, |f| f.path.to_owned()), diagnostic(problem, line))
     });
     located.collect()
 }

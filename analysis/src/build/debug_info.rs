@@ -1,9 +1,10 @@
 //! The debug information: lines, symbols and mechanisms of a linked program.
 
+use rustc_hash::FxHashMap;
 use technol_image::DebugInfo;
 use technol_image::container::{content_hash, hash_bytes};
 use technol_image::debug_info::{Line, Mechanism, Scope, SourceFile, State, Symbol, SymbolKind};
-use technol_image::op::Width;
+use technol_image::op::{Pc, Width};
 
 use super::debug_regions::DebugRegions;
 use super::input::{ProjectInput, SectionInput};
@@ -17,9 +18,9 @@ use crate::semantics::program::width;
 use crate::syntax::section::SectionKind;
 
 /// Debug information of `linked`.
-pub(super) fn debug_info(input: &ProjectInput, layout: &Layout, linked: &Linked) -> DebugInfo {
+pub(super) fn debug_info(input: &ProjectInput<'_>, layout: &Layout, linked: &Linked) -> DebugInfo {
     let files = input.files.iter().map(|file| SourceFile {
-        path: file.path.clone(),
+        path: file.path.to_owned(),
         hash: hash_bytes(file.text.as_bytes()),
         order: file.order,
     });
@@ -51,8 +52,8 @@ pub fn system_symbol(symbol: &SystemSymbol) -> Option<Symbol> {
     Some(Symbol { name: symbol.name.to_owned(), scope: Scope::System, kind, declared: None })
 }
 
-fn lines(input: &ProjectInput, linked: &Linked) -> Vec<Line> {
-    let regions: Vec<DebugRegions> = input.files.iter().map(|file| DebugRegions::of(&file.text)).collect();
+fn lines(input: &ProjectInput<'_>, linked: &Linked) -> Vec<Line> {
+    let regions: Vec<DebugRegions> = input.files.iter().map(|file| DebugRegions::of(file.text)).collect();
     let lines = linked.lines.iter().map(|line| Line {
         pc: line.pc,
         file: line.file,
@@ -63,14 +64,20 @@ fn lines(input: &ProjectInput, linked: &Linked) -> Vec<Line> {
     lines.collect()
 }
 
-fn declared_symbols(input: &ProjectInput, layout: &Layout, linked: &Linked) -> Vec<Symbol> {
+fn declared_symbols(input: &ProjectInput<'_>, layout: &Layout, linked: &Linked) -> Vec<Symbol> {
+    let labels = linked.labels.iter().map(|label| ((label.section, &*label.name), label.pc)).collect();
+    let names = linked.program.procedures.iter().map(|procedure| procedure.name.as_str());
+    let mut procedures = FxHashMap::default();
+    for (number, name) in (0u16..).zip(names) {
+        procedures.entry(name).or_insert(number);
+    }
     let mut symbols = Vec::new();
     for (index, section) in input.sections.iter().enumerate() {
         let scope = match section.kind {
             SectionKind::DataLocal => SymbolScope::File(section.owner),
             _ => SymbolScope::Global,
         };
-        let here = Declaration { layout, linked, section, scope, index };
+        let here = Declaration { layout, procedures: &procedures, labels: &labels, section, scope, index };
         for declared in &section.declarations.names {
             here.add(declared, &mut symbols);
         }
@@ -81,8 +88,10 @@ fn declared_symbols(input: &ProjectInput, layout: &Layout, linked: &Linked) -> V
 /// Where a symbol is declared.
 struct Declaration<'a> {
     layout: &'a Layout,
-    linked: &'a Linked,
-    section: &'a SectionInput,
+    procedures: &'a FxHashMap<&'a str, u16>,
+    section: &'a SectionInput<'a>,
+    /// Labels by section and key.
+    labels: &'a FxHashMap<(usize, &'a str), Pc>,
     scope: SymbolScope,
     index: usize,
 }
@@ -102,13 +111,12 @@ impl Declaration<'_> {
         let kind = match declared.what {
             What::Constant(value) => value.map(|value| SymbolKind::Constant { value }),
             What::Procedure => {
-                let number = self.linked.program.procedure(&key);
+                let number = self.procedures.get(key.as_str()).copied();
                 number.map(|procedure| SymbolKind::Procedure { procedure })
             }
             What::Label => {
-                let mut labels = self.linked.labels.iter();
-                let label = labels.find(|l| l.section == self.index && *l.name == *key);
-                label.map(|label| SymbolKind::Label { pc: label.pc })
+                let pc = self.labels.get(&(self.index, key.as_str())).copied();
+                pc.map(|pc| SymbolKind::Label { pc })
             }
             _ => {
                 self.layout.place(&SymbolKey { scope: self.scope, name: key.as_str().into() }).map(in_memory)
@@ -138,7 +146,7 @@ fn in_memory(placed: Placed) -> SymbolKind {
     }
 }
 
-fn mechanism(input: &ProjectInput, sequence: u16, linked: &LinkedSequence) -> Option<Mechanism> {
+fn mechanism(input: &ProjectInput<'_>, sequence: u16, linked: &LinkedSequence) -> Option<Mechanism> {
     let section = input.sections.get(linked.section)?;
     let name = if let SectionKind::Module(kind) = section.kind {
         kind.keyword().to_owned()
@@ -157,19 +165,24 @@ fn mechanism(input: &ProjectInput, sequence: u16, linked: &LinkedSequence) -> Op
     })
 }
 
-fn states(section: &SectionInput) -> Vec<State> {
+fn states(section: &SectionInput<'_>) -> Vec<State> {
+    let points = section.code.map_or(&[][..], |code| &code.points);
     let own: Vec<&str> = section.text.lines().collect();
     // The opening line is no condition.
     let mut from = 1;
-    let mut states = Vec::with_capacity(section.code.points.len());
-    for (point, at) in (1u16..).zip(&section.code.points) {
+    let mut states = Vec::with_capacity(points.len());
+    for (point, at) in (1u16..).zip(points) {
         let to = (at.line as usize).min(own.len());
         let before = own.get(from.min(to)..to).unwrap_or_default();
         states.push(State {
             point,
             line: section.file_line(at.line) + 1,
             mnemonic: at.mnemonic.to_owned(),
-            condition: condition(before.iter().copied()),
+            // EX, BEX and TIM do not look at RLO.
+            condition: match at.mnemonic {
+                "EX" | "BEX" | "TIM" => String::new(),
+                _ => condition(before.iter().copied()),
+            },
         });
         from = to + 1;
     }

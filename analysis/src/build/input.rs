@@ -1,7 +1,5 @@
 //! What `build` needs to know about a project: plain data, collected from the database.
 
-use std::sync::Arc;
-
 use super::section_code::{ProblemKind, SectionCode};
 use crate::semantics::declarations::Declarations;
 use crate::semantics::layout::DataBlock;
@@ -9,31 +7,31 @@ use crate::syntax::section::SectionKind;
 
 /// A project without errors.
 #[derive(Clone, Debug, Default)]
-pub struct ProjectInput {
+pub struct ProjectInput<'a> {
     /// Project name.
-    pub name: String,
+    pub name: &'a str,
     /// Every line takes break-points (`[debug] everywhere`).
     pub debug_everywhere: bool,
     /// Files in execution order, then the included ones.
-    pub files: Vec<FileInput>,
+    pub files: Vec<FileInput<'a>>,
     /// Sections of all files in order of the program; those of an included file stand where it is included.
-    pub sections: Vec<SectionInput>,
+    pub sections: Vec<SectionInput<'a>>,
 }
 
 /// A source file.
-#[derive(Clone, Debug)]
-pub struct FileInput {
+#[derive(Clone, Copy, Debug)]
+pub struct FileInput<'a> {
     /// Path relative to the project folder, `/`-separated.
-    pub path: String,
+    pub path: &'a str,
     /// Place in execution order; `None` for an included file.
     pub order: Option<u8>,
     /// Content.
-    pub text: Arc<str>,
+    pub text: &'a str,
 }
 
 /// A section with what was computed for it.
-#[derive(Clone, Debug)]
-pub struct SectionInput {
+#[derive(Clone, Copy, Debug)]
+pub struct SectionInput<'a> {
     /// Index of its file.
     pub file: u16,
     /// File in execution order that its code and local data belong to: its own, or the one that includes it.
@@ -41,20 +39,20 @@ pub struct SectionInput {
     /// What it is to the program.
     pub kind: SectionKind,
     /// Key of its name; empty when it has none.
-    pub name: Arc<str>,
+    pub name: &'a str,
     /// 0-based number among the sections of this kind and name in the file.
     pub ordinal: u32,
     /// 0-based file line of each own line.
-    pub lines: Arc<[u32]>,
+    pub lines: &'a [u32],
     /// Own lines with their ends.
-    pub text: Arc<str>,
+    pub text: &'a str,
     /// What they declare.
-    pub declarations: Arc<Declarations>,
-    /// Their code; empty for sections without code.
-    pub code: Arc<SectionCode>,
+    pub declarations: &'a Declarations,
+    /// Their code; `None` for sections without code.
+    pub code: Option<&'a SectionCode>,
 }
 
-impl SectionInput {
+impl SectionInput<'_> {
     /// 0-based file line of an own line; the last one for lines past the end.
     #[must_use]
     pub fn file_line(&self, own: u32) -> u32 {
@@ -62,15 +60,15 @@ impl SectionInput {
     }
 }
 
-impl ProjectInput {
+impl ProjectInput<'_> {
     /// The sections as the layout wants them, with the same indices.
     #[must_use]
     pub fn blocks(&self) -> Vec<DataBlock<'_>> {
         let blocks = self.sections.iter().map(|section| DataBlock {
             kind: section.kind,
-            name: &section.name,
+            name: section.name,
             file: section.owner,
-            declarations: &section.declarations,
+            declarations: section.declarations,
         });
         blocks.collect()
     }

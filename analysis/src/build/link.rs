@@ -64,14 +64,14 @@ pub(super) struct LinkedSequence {
 }
 
 /// Links; the problems are sorted by file and line.
-pub(super) fn link(input: &ProjectInput, layout: &Layout) -> Result<Linked, Vec<BuildProblem>> {
+pub(super) fn link(input: &ProjectInput<'_>, layout: &Layout) -> Result<Linked, Vec<BuildProblem>> {
     let mut linker = Linker::new(input, layout);
     linker.link_modules();
     linker.finish()
 }
 
 struct Linker<'a> {
-    input: &'a ProjectInput,
+    input: &'a ProjectInput<'a>,
     addresses: Addresses<'a>,
     /// By section: first automatic counter and first hidden byte.
     bases: Vec<(Addr, Addr)>,
@@ -91,13 +91,13 @@ struct Visit {
 }
 
 impl<'a> Linker<'a> {
-    fn new(input: &'a ProjectInput, layout: &'a Layout) -> Self {
+    fn new(input: &'a ProjectInput<'a>, layout: &'a Layout) -> Self {
         let (mut counters, mut states) = (0u64, 0u64);
         let mut relative = Vec::with_capacity(input.sections.len());
         for section in &input.sections {
             relative.push((counters, states));
-            counters += u64::from(section.code.counters) * 2;
-            states += u64::from(section.code.states);
+            counters += section.code.map_or(0, |code| u64::from(code.counters) * 2);
+            states += section.code.map_or(0, |code| u64::from(code.states));
         }
         let counters_start = u64::from(layout.local_start()) + u64::from(layout.local_len);
         let hidden_start = counters_start + counters;
@@ -115,7 +115,7 @@ impl<'a> Linker<'a> {
             input,
             addresses: Addresses::new(input, layout, &regions),
             bases,
-            program: empty_program(&input.name, regions, layout),
+            program: empty_program(input.name, regions, layout),
             sequences: vec![None; layout.sequences.len()],
             lines: Vec::new(),
             labels: Vec::new(),
@@ -128,7 +128,7 @@ impl<'a> Linker<'a> {
     /// Numbers the procedures and collects the problems of the sections.
     fn prepare(&mut self) {
         for section in &self.input.sections {
-            for problem in &section.code.problems {
+            for problem in section.code.map_or(&[][..], |code| &code.problems) {
                 self.report(section, problem.line, problem.kind.clone());
             }
             if section.kind == SectionKind::Procedure {
@@ -141,7 +141,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    fn report(&mut self, section: &SectionInput, own: u32, kind: ProblemKind) {
+    fn report(&mut self, section: &SectionInput<'_>, own: u32, kind: ProblemKind) {
         self.problems.push(BuildProblem { file: section.file, line: section.file_line(own), kind });
     }
 
@@ -178,7 +178,7 @@ impl<'a> Linker<'a> {
     fn link_section(&mut self, visit: Visit) {
         let input = self.input;
         let Some(section) = input.sections.get(visit.section) else { return };
-        let code = &*section.code;
+        let Some(code) = section.code else { return };
         let mut pcs: Vec<Pc> = Vec::with_capacity(code.ops.len() + 1);
         let mut nested = code.nested.iter().peekable();
         let mut lines = code.lines.iter().peekable();
@@ -234,8 +234,8 @@ impl<'a> Linker<'a> {
         }
     }
 
-    fn relocate(&mut self, visit: Visit, section: &SectionInput, pcs: &[Pc]) {
-        let code = &*section.code;
+    fn relocate(&mut self, visit: Visit, section: &SectionInput<'_>, pcs: &[Pc]) {
+        let Some(code) = section.code else { return };
         let bases = self.bases.get(visit.section).copied().unwrap_or_default();
         let (timed, messages) = (self.program.timed.len(), self.program.messages.len());
         self.program.timed.extend_from_slice(&code.timed);
@@ -289,7 +289,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    fn add_sequence(&mut self, visit: Visit, section: &SectionInput, pcs: &[Pc]) {
+    fn add_sequence(&mut self, visit: Visit, section: &SectionInput<'_>, pcs: &[Pc]) {
         if sequence_kind(section.kind).is_none() {
             return;
         }
@@ -308,7 +308,7 @@ impl<'a> Linker<'a> {
             start: pcs.first().copied().unwrap_or_default(),
             end: pcs.len().checked_sub(tail).and_then(|n| pcs.get(n)).copied().unwrap_or_default(),
             line: u16::try_from(section.file_line(0) + 1).unwrap_or(u16::MAX),
-            resume: section.code.points.iter().map(|point| after(point.op)).collect(),
+            resume: section.code.iter().flat_map(|code| &code.points).map(|point| after(point.op)).collect(),
         };
         let linked = LinkedSequence { section: visit.section, module: visit.module };
         if let Some(place) = self.sequences.get_mut(usize::from(number)) {

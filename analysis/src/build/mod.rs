@@ -51,7 +51,7 @@ pub struct Built {
 ///
 /// # Errors
 /// Everything that keeps the project from becoming a program, sorted by file and line.
-pub fn build(input: &ProjectInput, layout: &Layout) -> Result<Built, Vec<BuildProblem>> {
+pub fn build(input: &ProjectInput<'_>, layout: &Layout) -> Result<Built, Vec<BuildProblem>> {
     if let Some(overflow) = &layout.overflow {
         let section = input.sections.get(overflow.block);
         let (file, line) = section.map_or((0, 0), |s| (s.file, s.file_line(overflow.line)));

@@ -18,15 +18,19 @@ pub enum IncludeTarget {
 #[must_use]
 pub fn include_names(text: &str) -> Vec<(String, bool)> {
     let mut names = Vec::new();
-    for line in syntax::lines(text) {
-        // Most lines are none; parsing is for the few that may be.
-        let word = "T_INCLUDE";
-        if !line.text.as_bytes().windows(word.len()).any(|w| w.eq_ignore_ascii_case(word.as_bytes())) {
-            continue;
-        }
+    // Asked after every change: most texts have none, and most lines of the others.
+    if !mentions(text) {
+        return names;
+    }
+    for line in syntax::lines(text).filter(|line| mentions(line.text)) {
         let parsed = syntax::parse_lines(line.text);
         let found = parsed.lines.first().and_then(|parsed| include_of(parsed, line.text));
         names.extend(found.map(|(_, name, quoted)| (name, quoted)));
     }
     names
+}
+
+fn mentions(text: &str) -> bool {
+    const WORD: &[u8] = b"T_INCLUDE";
+    text.as_bytes().windows(WORD.len()).any(|w| w[1] == b'_' && w.eq_ignore_ascii_case(WORD))
 }

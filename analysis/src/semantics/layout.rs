@@ -12,9 +12,9 @@
 //! means what it meant in the assembler (manual 3.3, 3.5). The layout depends on declarations only: typing in the
 //! code of a mechanism leaves it equal.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
 use technol_image::op::{Addr, Width};
 use technol_image::program::{InitialData, ModuleKind, SequenceKind};
 use technol_image::system;
@@ -110,7 +110,7 @@ pub struct Overflow {
 /// Addresses of all declared symbols.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    places: HashMap<SymbolKey, Placed>,
+    places: FxHashMap<SymbolKey, Placed>,
     /// Mechanisms and block modules in order of their sections; the index is the sequence number of the image.
     pub sequences: Vec<SequenceCells>,
     /// Texts that memory starts with.
@@ -296,7 +296,7 @@ impl Layout {
 }
 
 /// A symbol as an overlay names it: local to the file, else global, else predefined.
-fn named_addr(places: &HashMap<SymbolKey, Placed>, file: u8, name: &str) -> Option<Addr> {
+fn named_addr(places: &FxHashMap<SymbolKey, Placed>, file: u8, name: &str) -> Option<Addr> {
     let find = |scope| places.get(&SymbolKey { scope, name: name.into() }).map(|p| p.addr);
     find(SymbolScope::File(file))
         .or_else(|| find(SymbolScope::Global))

@@ -105,7 +105,7 @@ impl Session {
         self.end_program()?;
         let (target, debuggee) = self.parts()?;
         let How::Launch(arguments) = &debuggee.how else { return Ok(()) };
-        let stop_on_entry = arguments.stop_on_entry;
+        let stop_on_entry = arguments.stop_on_entry && !arguments.no_debug;
         debuggee.stop = None;
         debuggee.fault = None;
         target.forget_stops();

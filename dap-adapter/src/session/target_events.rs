@@ -68,9 +68,9 @@ impl Session {
         debuggee.stop = Some(Stop { stopped, sequences: None });
         if reason == StopReason::Fault {
             if known_fault {
-                self.announce_fault()
+                self.announce_fault();
             } else {
-                self.start_timer(DETAILS, Timer::FaultWithoutDetails)
+                self.start_timer(DETAILS, Timer::FaultWithoutDetails);
             }
             return;
         }

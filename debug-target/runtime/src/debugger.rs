@@ -160,7 +160,9 @@ impl StepUntil {
             Resume::Continue => false,
             Resume::StepInto => true,
             Resume::StepOver { sequence: None } => depth <= self.depth,
-            Resume::StepOver { sequence: Some(number) } if sequence == Some(number) => depth <= self.depth,
+            Resume::StepOver { sequence: Some(number) } if sequence == Some(number) => {
+                depth <= self.depth && !continues_at_begin(program, machine, number, ctx.pc)
+            }
             Resume::StepOver { sequence: Some(number) } => {
                 program.sequences.get(usize::from(number)).is_none_or(|s| !machine.memory.flag(activation(s)))
             }
@@ -169,6 +171,14 @@ impl StepUntil {
             Resume::StepOut => self.sequence.is_some() && sequence != self.sequence,
         }
     }
+}
+
+/// `pc` is the MECH_BEGIN of a sequence that goes on behind one of its EX-type instructions: it only jumps there, so
+/// somebody who steps through the mechanism does not want to see it in each cycle.
+fn continues_at_begin(program: &Program, machine: &Machine, number: u16, pc: Pc) -> bool {
+    program.sequences.get(usize::from(number)).is_some_and(|s| {
+        pc == s.start && machine.memory.flag(activation(s)) && machine.memory.word(s.resume_cell) != 0
+    })
 }
 
 impl Debugger {

@@ -41,7 +41,6 @@ pub(super) fn grammar() -> Value {
     }));
     patterns.extend(operands());
     json!({
-        "$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
         "name": "TECHNOL",
         "scopeName": "source.technol",
         "fileTypes": ["plc", "inc"],

@@ -145,11 +145,14 @@ fn without_debugging_none_is_armed() {
     let mut setup = Setup::new();
     let mut arguments = setup.launch_arguments();
     arguments["noDebug"] = json!(true);
+    arguments["stopOnEntry"] = json!(true);
     let path = setup.path("main.plc");
     setup.client.start(arguments, &[(&path, &[12])]).unwrap();
     for sent in setup.mock.asked_for(|r| matches!(r, Request::SetBreakpoints { .. })) {
         assert_eq!(sent, Request::SetBreakpoints { pcs: vec![] });
     }
+    let started = setup.mock.asked_for(|r| matches!(r, Request::Start { .. }));
+    assert_eq!(started, [Request::Start { cold: true, stop_on_entry: false }]);
 }
 
 #[test]

@@ -233,7 +233,7 @@ fn the_console_takes_commands() {
     assert!(setup.client.evaluate("help", "repl").unwrap().contains("release KEY "));
     for (line, error) in [
         ("fault stuck contactor", "usage: fault NAME on|off — switch a fault of the simulated machine"),
-        ("fault other on", "the target refuses: there is no fault `other`"),
+        ("fault other on", "the target refuses: `other` is not known; there is stuck contactor"),
         ("start NOBODY", "there is no mechanism `NOBODY`"),
         ("plc dance", "usage: plc start|stop|clear — start, stop or clear the PLC"),
     ] {
