@@ -21,6 +21,7 @@ use crate::semantics::layout::{DataBlock, Layout};
 use crate::semantics::program::Parts;
 use crate::semantics::recursion::RecursiveCall;
 use crate::semantics::scope::{Scope, Symbol};
+use crate::semantics::structure::Outline;
 use crate::semantics::{self, collect};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{self, ParsedLines};
@@ -167,6 +168,12 @@ pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
 #[salsa::tracked]
 pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines {
     syntax::parse_lines(section.text(db))
+}
+
+/// What the structure of the file needs of a section's lines.
+#[salsa::tracked]
+pub fn section_outline<'db>(db: &'db dyn Db, section: Section<'db>) -> Outline {
+    semantics::structure::outline(&section_lines(db, section).lines)
 }
 
 /// What a section declares, with own-line positions.

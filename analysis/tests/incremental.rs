@@ -95,6 +95,7 @@ fn typing_in_one_mechanism_runs_nothing_of_another() {
         counts(&[
             ("sections", 1),
             ("section_lines", 1),
+            ("section_outline", 1),
             ("section_declarations", 1),
             ("section_analysis", 1),
             ("file_diagnostics", 1),
@@ -111,6 +112,7 @@ fn lines_added_above_run_nothing_but_the_outer_edge() {
         counts(&[
             ("sections", 1),
             ("section_lines", 1),
+            ("section_outline", 1),
             ("section_declarations", 1),
             ("section_analysis", 1),
             ("file_diagnostics", 1),

@@ -27,7 +27,7 @@ pub(crate) enum Command {
     /// Be a debug adapter (on stdio, or for one client after another on TCP)
     Dap(DapArguments),
     /// Be a language server on stdio
-    Lsp,
+    Lsp(LspArguments),
     /// Explain an instruction, a symbol of the control or a diagnostic code
     Explain(ExplainArguments),
     /// Show the whole chain on the lathe example
@@ -149,6 +149,14 @@ pub(crate) struct DapArguments {
     /// Listen for editors instead of using stdio
     #[arg(long, value_name = "tcp:HOST:PORT")]
     pub(crate) listen: Option<String>,
+}
+
+/// `technol lsp`
+#[derive(Debug, Args)]
+pub(crate) struct LspArguments {
+    /// Talk over stdio: the only way there is; many editors say it all the same
+    #[arg(long)]
+    pub(crate) stdio: bool,
 }
 
 /// `technol explain`

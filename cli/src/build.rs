@@ -26,7 +26,8 @@ pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
         return Ok(exit::OK);
     }
     let built = image(&project)?;
-    std::fs::create_dir_all(&out).map_err(|e| Failure::usage(format!("{}: {e}", out.display())))?;
+    std::fs::create_dir_all(&out)
+        .map_err(|e| Failure::usage(format!("{}: {e}; name another folder with --out", out.display())))?;
     write(&outputs.image, &technol_image::encode(&built.image))?;
     if arguments.listing {
         let listing = project

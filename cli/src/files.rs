@@ -49,9 +49,11 @@ impl Project {
         self.analysis.all_diagnostics().map_err(|_| Failure::usage("the check was interrupted"))
     }
 
-    /// Text of a file of the project, when it could be read.
+    /// Text of a file of the project, an included one or the manifest, when it could be read.
     pub(crate) fn text(&self, file: &str) -> Option<&str> {
-        self.loaded.files.iter().find(|f| f.path == file).map(|f| &*f.text)
+        let sources = self.loaded.files.iter().chain(&self.loaded.included).map(|f| (&f.path, &f.text));
+        let manifest = self.loaded.manifest_file.iter().map(|(path, text)| (path, text));
+        sources.chain(manifest).find(|(path, _)| *path == file).map(|(_, text)| &**text)
     }
 }
 

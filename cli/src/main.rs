@@ -18,7 +18,7 @@ use std::process::ExitCode;
 
 use clap::Parser as _;
 
-use crate::arguments::{Arguments, Command};
+use crate::arguments::{Arguments, Command, LspArguments};
 
 fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
@@ -37,7 +37,8 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Target(arguments) => target::target(&arguments),
         Command::Dap(arguments) => dap::dap(&arguments),
-        Command::Lsp => dap::lsp(),
+        // `--stdio` only names what happens anyway.
+        Command::Lsp(LspArguments { stdio: _ }) => dap::lsp(),
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Demo(arguments) => demo::demo(&arguments),
     };

@@ -52,7 +52,8 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
 pub(crate) fn read_image(path: &Path) -> Result<technol_image::Image, Failure> {
     let bytes = std::fs::read(path)
         .map_err(|e| Failure::usage(format!("{}: {e}; `technol build` writes images", path.display())))?;
-    technol_image::decode(&bytes).map_err(|e| Failure::usage(format!("{}: {e}", path.display())))
+    technol_image::decode(&bytes)
+        .map_err(|e| Failure::usage(format!("{}: {e} (`technol build` writes images)", path.display())))
 }
 
 /// `DEVICE[@BAUD]`, with or without `serial:`.

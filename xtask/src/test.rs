@@ -24,7 +24,8 @@ pub(crate) fn test() -> Result<(), String> {
     cargo("documentation tests", &["test", "--workspace", "--doc", "--quiet"])?;
     if available(if cfg!(windows) { "npm.cmd" } else { "npm" }, &["--version"]) {
         // The Node tests drive the real binary.
-        cargo("the binary for the editors' tests", &["build", "--package", "technol"])?;
+        let packages = ["build", "--package", "technol", "--package", "technol-tests", "--bins"];
+        cargo("the binaries for the editors' tests", &packages)?;
         for (what, folder, scripts) in PACKAGES {
             npm(&format!("{what}: packages"), folder, &["ci", "--no-audit", "--no-fund"])?;
             for script in *scripts {

@@ -18,8 +18,13 @@ use crate::syntax::section::SectionKind;
 #[salsa::tracked]
 pub fn section_code<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionCode {
     let body = &database::section_analysis(db, project, section).body;
-    let own_lines = section.text(db).lines().count() as u32;
-    lower(section.kind(db), own_lines, body)
+    lower(section.kind(db), section_length(db, section), body)
+}
+
+/// Number of own lines of a section. A query of its own: a comment changes the text but not this.
+#[salsa::tracked(returns(copy))]
+pub fn section_length<'db>(db: &'db dyn Db, section: Section<'db>) -> u32 {
+    section.text(db).lines().count() as u32
 }
 
 /// Whether sections of this kind become code.

@@ -52,7 +52,8 @@ fn of_section<'db>(
         }
     }
     found.extend(own().map(|finding| (section, finding.clone())));
-    let overruns = analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
+    let overruns =
+        analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
     includes(db, project, section, found);
 }

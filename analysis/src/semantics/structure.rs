@@ -47,6 +47,45 @@ pub fn closing(kind: SectionKind) -> String {
     }
 }
 
+/// What the structure of a file needs to know of the lines of a section.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outline {
+    /// Closing lines: own line, columns of the keyword, keyword in upper case, key of the name behind it.
+    ends: Vec<(u32, Columns, String, String)>,
+    /// Keywords that unknown words were probably meant to be; the words are reported as unknown.
+    misspelled: Vec<&'static str>,
+    /// STOP lines.
+    stops: Vec<(u32, Columns)>,
+    /// Last line with an operation.
+    last: Option<(u32, Columns)>,
+}
+
+/// The outline of a section's lines.
+pub(crate) fn outline(lines: &[Line]) -> Outline {
+    let mut outline = Outline::default();
+    for (number, line) in lines.iter().enumerate() {
+        let Some(operation) = &line.operation else { continue };
+        let at = (number as u32, operation.columns.clone());
+        match catalogue::entry(&operation.text) {
+            Some(entry) if matches!(entry.kind, EntryKind::Structure | EntryKind::Directive) => {
+                if entry.name.ends_with("_END") || entry.name == "END_T_MACRO" {
+                    outline.ends.push((at.0, at.1.clone(), entry.name.to_string(), first_name(line)));
+                } else if entry.name == "STOP" {
+                    outline.stops.push(at.clone());
+                }
+            }
+            Some(_) => {}
+            None => {
+                let known = catalogue::entries().map(|entry| entry.name);
+                let near = suggest::nearest(&operation.text, known).and_then(catalogue::entry);
+                outline.misspelled.extend(near.filter(|e| e.kind == EntryKind::Structure).map(|e| e.name));
+            }
+        }
+        outline.last = Some(at);
+    }
+    outline
+}
+
 /// Mistakes in the structure of a file, each in the section it belongs to.
 pub(crate) fn check(db: &dyn Db, file: SourceFile) -> Vec<(Section<'_>, Finding)> {
     let mut check = Check { db, sections: database::sections(db, file), found: Vec::new() };
@@ -100,49 +139,38 @@ impl<'db> Check<'db> {
         self.found.push((section, finding));
     }
 
+    fn outline(&self, section: Section<'db>) -> &'db Outline {
+        database::section_outline(self.db, section)
+    }
+
     fn stray_ends(&self) -> Vec<Stray<'db>> {
         let mut strays = Vec::new();
-        for section in self.sections {
-            let kind = section.kind(self.db);
-            if kind == SectionKind::Macro {
-                continue;
-            }
-            let lines = self.lines(*section);
-            for (number, line) in lines.iter().enumerate() {
-                let own_end =
-                    kind != SectionKind::File && section.closed(self.db) && number + 1 == lines.len();
-                let Some(operation) = line.operation.as_ref().filter(|_| !own_end) else { continue };
-                let keyword = operation.text.to_ascii_uppercase();
-                let is_end = keyword.ends_with("_END") || keyword == "END_T_MACRO";
-                let known = catalogue::entry(&keyword)
-                    .is_some_and(|e| matches!(e.kind, EntryKind::Structure | EntryKind::Directive));
-                if is_end && known {
-                    let name = first_name(line);
-                    let (line, columns) = (number as u32, operation.columns.clone());
-                    strays.push(Stray { section: *section, line, columns, keyword, name });
-                }
+        for section in self.sections.iter().filter(|s| s.kind(self.db) != SectionKind::Macro) {
+            let outline = self.outline(*section);
+            // The last line of a closed section is its own closing line.
+            let closed = section.kind(self.db) != SectionKind::File && section.closed(self.db);
+            let own = if closed { outline.ends.len().saturating_sub(1) } else { outline.ends.len() };
+            for (line, columns, keyword, name) in &outline.ends[..own] {
+                strays.push(Stray {
+                    section: *section,
+                    line: *line,
+                    columns: columns.clone(),
+                    keyword: keyword.clone(),
+                    name: name.clone(),
+                });
             }
         }
         strays
     }
 
-    /// Unknown words that were probably meant to open or close a section; they are reported as unknown.
     fn misspelled(&self) -> Vec<Misspelled<'db>> {
-        let mut found = Vec::new();
-        for section in self.sections {
-            for line in self.lines(*section) {
-                let Some(operation) = &line.operation else { continue };
-                if catalogue::entry(&operation.text).is_some() {
-                    continue;
-                }
-                let known = catalogue::entries().map(|entry| entry.name);
-                let near = suggest::nearest(&operation.text, known).and_then(catalogue::entry);
-                if let Some(entry) = near.filter(|e| e.kind == EntryKind::Structure) {
-                    found.push(Misspelled { section: *section, keyword: entry.name });
-                }
-            }
-        }
-        found
+        let sections = self.sections.iter();
+        sections
+            .flat_map(|section| {
+                let words = self.outline(*section).misspelled.iter();
+                words.map(|keyword| Misspelled { section: *section, keyword })
+            })
+            .collect()
     }
 
     fn unclosed(&mut self, strays: &[Stray<'db>], misspelled: &[Misspelled<'db>]) {
@@ -277,17 +305,13 @@ impl<'db> Check<'db> {
     }
 
     fn stop_lines(&self) -> Vec<(Section<'db>, u32, Columns)> {
-        let mut found = Vec::new();
-        for section in self.sections {
-            for (number, line) in self.lines(*section).iter().enumerate() {
-                if let Some(name) =
-                    line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("STOP"))
-                {
-                    found.push((*section, number as u32, name.columns.clone()));
-                }
-            }
-        }
-        found
+        let sections = self.sections.iter();
+        sections
+            .flat_map(|section| {
+                let stops = self.outline(*section).stops.iter();
+                stops.map(|(line, columns)| (*section, *line, columns.clone()))
+            })
+            .collect()
     }
 
     fn stop(&mut self, order: u8) {
@@ -309,10 +333,8 @@ impl<'db> Check<'db> {
         }
         let at = file_line(self.db, section, line);
         let follows = self.sections.iter().any(|other| {
-            let lines = self.lines(*other);
-            lines.iter().enumerate().any(|(number, line)| {
-                line.operation.is_some() && file_line(self.db, *other, number as u32) > at
-            })
+            let last = self.outline(*other).last.as_ref();
+            last.is_some_and(|(number, _)| file_line(self.db, *other, *number) > at)
         });
         if follows {
             let message = "only comments may follow STOP; move it to the end of the file";
@@ -325,18 +347,13 @@ impl<'db> Check<'db> {
         let last = self
             .sections
             .iter()
-            .flat_map(|section| {
-                let lines = self.lines(*section).iter().enumerate();
-                let spoken = lines.filter(|(_, line)| line.operation.is_some());
-                spoken.map(|(number, line)| {
-                    (file_line(self.db, *section, number as u32), *section, number, line)
-                })
+            .filter_map(|section| {
+                let (number, columns) = self.outline(*section).last.as_ref()?;
+                Some((file_line(self.db, *section, *number), *section, *number, columns.clone()))
             })
             .max_by_key(|(at, ..)| *at);
         let (section, number, columns) = match last {
-            Some((_, section, number, line)) => {
-                (section, number as u32, line.operation.as_ref().map_or(0..0, |name| name.columns.clone()))
-            }
+            Some((_, section, number, columns)) => (section, number, columns),
             None => match self.sections.first() {
                 Some(section) => (*section, 0, 0..0),
                 None => return,

@@ -2,6 +2,7 @@
 
 mod debug_information;
 mod expressions;
+mod incremental;
 mod operations;
 mod program;
 mod refusals;

@@ -3,7 +3,7 @@
 import { accessSync, constants, statSync } from "node:fs";
 import { homedir } from "node:os";
 import * as vscode from "vscode";
-import { LanguageClient, type LanguageClientOptions, type ServerOptions, TransportKind } from "vscode-languageclient/node";
+import { LanguageClient, type LanguageClientOptions, type ServerOptions } from "vscode-languageclient/node";
 import { type Binary, findBinary } from "./binary";
 import { ADAPTER_ARGUMENTS, SERVER_ARGUMENTS, TASK_COMMANDS, type TaskDefinition, initializationOptions, taskArguments } from "./commandLine";
 import { complete } from "./debugConfiguration";
@@ -64,7 +64,8 @@ function requireBinary(): string | undefined {
 async function startServer(): Promise<void> {
   const file = requireBinary();
   if (file === undefined) return;
-  const serverOptions: ServerOptions = { command: file, args: SERVER_ARGUMENTS, transport: TransportKind.stdio };
+  // Without a `transport` the client talks over standard input and output and adds no argument of its own.
+  const serverOptions: ServerOptions = { command: file, args: SERVER_ARGUMENTS };
   const language = vscode.workspace.getConfiguration("technol").get("language", "en");
   const clientOptions: LanguageClientOptions = {
     documentSelector: [

@@ -5,7 +5,7 @@ import { type Surroundings, findBinary } from "../src/binary";
 function find(programs: string[], changes: Partial<Surroundings> = {}): string {
   const found = findBinary({
     setting: "",
-    workspaceFolder: "/work/plc",
+    workspaceFolder: "/projects/plc",
     home: "/home/eva",
     searchPath: "/usr/bin:/opt/bin",
     platform: "linux",
@@ -33,8 +33,8 @@ test("the setting wins over the PATH, and its variables are replaced", () => {
   for (const [setting, file] of [
     ["/own/technol", "/own/technol"],
     ["~/bin/technol", "/home/eva/bin/technol"],
-    ["${workspaceFolder}/target/debug/technol", "/work/plc/target/debug/technol"],
-    ["target/debug/technol", "/work/plc/target/debug/technol"],
+    ["${workspaceFolder}/target/debug/technol", "/projects/plc/target/debug/technol"],
+    ["target/debug/technol", "/projects/plc/target/debug/technol"],
     ["technol-next", "/opt/bin/technol-next"],
     ["  /own/technol ", "/own/technol"],
   ] as const) {

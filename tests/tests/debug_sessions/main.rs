@@ -1,0 +1,14 @@
+//! Debug sessions through the real program: `technol dap` as a child process, targets in its own process, at a TCP
+//! port and at the end of a serial line.
+
+#[path = "../shared/binary.rs"]
+mod binary;
+#[path = "../shared/frame.rs"]
+mod frame;
+#[path = "../shared/lathe.rs"]
+mod lathe;
+
+mod attach;
+mod child;
+mod session;
+mod trouble;

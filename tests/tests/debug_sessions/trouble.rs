@@ -1,0 +1,169 @@
+//! What can go wrong in a session, and what the user is told.
+
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+use technol_dap::client::Mark;
+
+use crate::child::{Adapter, Site};
+use crate::frame::program;
+use crate::lathe::Lathe;
+
+#[test]
+fn a_target_that_is_not_there_is_an_error_with_a_remedy() {
+    let lathe = Lathe::copy();
+    // A port that was free a moment ago.
+    let free = std::net::TcpListener::bind("127.0.0.1:0").expect("a port").local_addr().expect("its number");
+    let tcp = format!("tcp:{free}");
+    for (target, parts) in [
+        (tcp.as_str(), &[tcp.as_str(), "technol target --listen"][..]),
+        ("serial:/dev/no-such-line@9600", &["/dev/no-such-line", "cable"]),
+        ("tcp:127.0.0.1", &["tcp:127.0.0.1", "tcp:HOST:PORT"]),
+        ("usb", &["`usb`", "serial:DEVICE@BAUD"]),
+    ] {
+        for command in ["launch", "attach"] {
+            let mut adapter = Adapter::initialized();
+            let why = adapter.refusal(command, json!({ "program": lathe.folder(), "target": target }));
+            for part in parts {
+                assert!(why.contains(part), "{command} {target}: `{part}` in: {why}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_session_that_could_not_start_may_try_again() {
+    let lathe = Lathe::copy();
+    let mut adapter = Adapter::initialized();
+    let why = adapter.refusal("launch", json!({ "program": lathe.path("nowhere"), "target": "embedded" }));
+    assert!(why.contains("nowhere") && why.contains("`program`"), "{why}");
+    lathe.edit("spindle.plc", "LDR  SP_REQ_STOP ", "LDR  SP_REQ_STOPP ");
+    let launch = Site::embedded().launch(&lathe);
+    let why = adapter.refusal("launch", launch.clone());
+    assert!(why.contains("spindle.plc:23") && why.contains("SP_REQ_STOPP"), "{why}");
+    lathe.edit("spindle.plc", "SP_REQ_STOPP", "SP_REQ_STOP");
+    adapter.client.request("launch", launch).expect("now it starts");
+}
+
+#[test]
+fn requests_in_the_wrong_order_are_refused_with_what_is_missing() {
+    let lathe = Lathe::copy();
+    let mut adapter = Adapter::start();
+    let early = ["launch", "attach", "threads", "configurationDone", "setBreakpoints", "continue", "evaluate"];
+    for command in early {
+        let why = adapter.refusal(command, json!({}));
+        assert!(why.contains(command) && why.contains("initialize"), "{why}");
+    }
+    adapter.client.initialize().expect("the session is as new");
+    let why = adapter.refusal("initialize", json!({ "adapterID": "technol" }));
+    assert!(why.contains("twice"), "{why}");
+    for command in ["threads", "configurationDone", "pause", "next", "stackTrace", "terminate"] {
+        match adapter.client.request(command, json!({ "threadId": 1 })) {
+            Ok(body) if command == "terminate" => assert_eq!(body, Value::Null),
+            Ok(body) => panic!("{command}: {body}"),
+            Err(why) => assert!(why.to_string().contains("launch"), "{why}"),
+        }
+    }
+    let why = adapter.refusal("makeCoffee", json!({}));
+    assert!(why.contains("makeCoffee"), "{why}");
+
+    let mut adapter = Adapter::start();
+    let line = lathe.line("spindle.plc", "TIM  CNT_DEAD,T_DEAD");
+    let breakpoint = (lathe.path("spindle.plc"), [line]);
+    adapter
+        .client
+        .start(Site::embedded().launch(&lathe), &[(&breakpoint.0, &breakpoint.1)])
+        .expect("the program starts");
+    adapter.client.event(Mark::START, "stopped").expect("a stop");
+    for (command, arguments, part) in [
+        ("launch", Site::embedded().launch(&lathe), "launch"),
+        ("stackTrace", json!({ "threadId": 999 }), "999"),
+        ("scopes", json!({ "frameId": 4711 }), "4711"),
+        ("variables", json!({ "variablesReference": 4711 }), "4711"),
+        ("setVariable", json!({ "variablesReference": "one" }), "setVariable"),
+        ("next", Value::Null, "next"),
+    ] {
+        let why = adapter.refusal(command, arguments);
+        assert!(why.contains(part), "{command}: {why}");
+    }
+    assert_eq!(adapter.client.evaluate("SP_TURNS", "watch").expect("still there"), "1 (0001h)");
+}
+
+#[test]
+fn malformed_messages_do_not_end_the_session() {
+    let lathe = Lathe::copy();
+    let mut adapter = Adapter::initialized();
+    for (bytes, told) in [
+        (&b"Content-Length: 5\r\n\r\n{\"a\":"[..], "not valid JSON"),
+        (b"Content-Length: 2\r\n\r\n\xFF\xFE", "not valid JSON"),
+        (b"GET / HTTP/1.1\r\n\r\n", "Content-Length"),
+        (b"Content-Length: many\r\n\r\n", "Content-Length"),
+        (b"Content-Length: 9\r\n\r\n[1,2,3,4]", "command"),
+        (b"Content-Length: 4\r\n\r\nnull", "command"),
+    ] {
+        let mark = adapter.client.mark();
+        adapter.client.send_raw(bytes).expect("the adapter reads");
+        let output = adapter.client.event(mark, "output").unwrap_or_else(|e| panic!("{told}: {e}"));
+        let text = output["output"].as_str().expect("a text");
+        assert!(text.contains("ignored") && text.contains(told), "{told}: {text}");
+    }
+    adapter.client.request("launch", Site::embedded().launch(&lathe)).expect("the session is as it was");
+}
+
+#[test]
+fn a_target_that_dies_ends_the_session_within_seconds() {
+    let lathe = Lathe::copy();
+    for site in [Some(Site::tcp(&lathe)), Site::serial(&lathe)].into_iter().flatten() {
+        let mut site = site;
+        let mut adapter = Adapter::start();
+        adapter.client.start(site.launch(&lathe), &[]).expect("the program starts");
+        let mark = adapter.client.mark();
+        let start = Instant::now();
+        site.target.as_mut().expect("a process").kill();
+        adapter.client.event(mark, "terminated").expect("the session ends");
+        assert!(start.elapsed() < Duration::from_secs(20), "{}: {:?}", site.address, start.elapsed());
+        let output = adapter.client.event_where(mark, "output", |b| {
+            b["output"].as_str().is_some_and(|text| text.contains("the link to the target is lost"))
+        });
+        output.expect("the reason is told");
+        let why = adapter.refusal("evaluate", json!({ "expression": "CYCLES" }));
+        assert!(why.contains("ended"), "{why}");
+        adapter.client.disconnect(json!({})).expect("the adapter answers to the end");
+        assert_eq!(adapter.exit_code(), Some(0));
+    }
+}
+
+#[test]
+fn an_editor_that_goes_away_takes_the_adapter_with_it() {
+    let lathe = Lathe::copy();
+    let mut adapter = Adapter::start();
+    adapter.client.start(Site::embedded().launch(&lathe), &[]).expect("the program starts");
+    adapter.client = technol_dap::client::Client::new(std::io::empty(), std::io::sink());
+    assert_eq!(adapter.exit_code(), Some(0));
+}
+
+#[test]
+fn a_fault_of_the_program_stops_at_its_line_and_leaves_everything_readable() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let data = "VALUE: DS 2\nZERO: DS 2";
+    let main = "MECH_BEGIN WORKER\n LOD VALUE\n EX\n DIVB ZERO\n STO VALUE\nMECH_END WORKER";
+    let source = program(data, main, " LOD CNST.77\n STO VALUE\n FL 1,WORKER");
+    let path = folder.path().join("divide.plc");
+    std::fs::write(&path, &source).expect("written");
+    let line = source.lines().position(|l| l.contains("DIVB")).expect("the division") + 1;
+
+    let mut adapter = Adapter::start();
+    let launch = json!({ "program": path, "target": "embedded", "clock": "virtual" });
+    adapter.client.start(launch, &[]).expect("the program starts");
+    let stop = adapter.client.event(Mark::START, "stopped").expect("a stop");
+    assert_eq!((&stop["reason"], &stop["text"]), (&json!("exception"), &json!("division by zero")));
+    let thread = stop["threadId"].as_i64().expect("a thread");
+    let frame = adapter.client.top_frame(thread).expect("a frame");
+    assert_eq!((&frame["name"], &frame["line"]), (&json!("WORKER"), &json!(line)));
+    let info = adapter.client.request("exceptionInfo", json!({ "threadId": thread })).expect("the reason");
+    let text = info["description"].as_str().expect("a text");
+    assert!(text.contains(&format!("divide.plc:{line}")) && text.contains("WORKER"), "{text}");
+    assert_eq!(adapter.client.evaluate("VALUE", "watch").expect("readable"), "77 (004Dh)");
+    let why = adapter.refusal("continue", json!({ "threadId": thread }));
+    assert!(why.contains("fault") && why.contains("restart"), "{why}");
+}
