@@ -1,5 +1,6 @@
 //! `technol build`: image and listing, and nothing at all when nothing changed.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use technol_analysis::build::{Built, sources_hash};
@@ -9,8 +10,8 @@ use crate::arguments::BuildArguments;
 use crate::check;
 use crate::exit::{self, Failure, Outcome};
 use crate::files::Project;
-use crate::paint::Paint;
 use crate::out::say;
+use crate::paint::Paint;
 
 /// Builds the project. Exit 1 when it has errors.
 pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
@@ -30,10 +31,8 @@ pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
         .map_err(|e| Failure::usage(format!("{}: {e}; name another folder with --out", out.display())))?;
     write(&outputs.image, &technol_image::encode(&built.image))?;
     if arguments.listing {
-        let listing = project
-            .analysis
-            .listing(&built)
-            .map_err(|_| Failure::usage("the listing was interrupted"))?;
+        let listing =
+            project.analysis.listing(&built).map_err(|_| Failure::usage("the listing was interrupted"))?;
         write(&outputs.listing, listing.as_bytes())?;
     }
     write(&outputs.stamp, stamp.as_bytes())?;
@@ -75,12 +74,16 @@ fn stamp(project: &Project) -> String {
     let files = loaded.files.iter().chain(&loaded.included);
     let files = files.map(|f| (f.path.as_str(), f.order, &*f.text));
     let hash = sources_hash(&loaded.manifest.name, loaded.manifest.debug_everywhere, files);
-    let mut text = String::new();
-    for byte in hash {
-        text.push_str(&format!("{byte:02x}"));
-    }
-    text.push('\n');
-    text
+    format!("{}\n", hex(&hash))
+}
+
+/// Bytes as hexadecimal digits.
+pub(crate) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing to a string does not fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
 }
 
 fn is_image(path: &Path) -> bool {
@@ -94,7 +97,7 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 fn report(built: &Built, outputs: &Outputs, listing: bool) {
     let program = &built.image.program;
-    let hash: String = built.hash.iter().take(4).map(|b| format!("{b:02x}")).collect();
+    let hash = hex(&built.hash[..4]);
     say!(
         "{}: {} operations, {} bytes to download, hash {hash}…",
         outputs.image.display(),

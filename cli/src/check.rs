@@ -1,5 +1,6 @@
 //! `technol check`: the mistakes of a project, for people or as one JSON object a line.
 
+use std::fmt::Write as _;
 use std::io::Write as _;
 
 use serde_json::json;
@@ -68,17 +69,15 @@ pub(crate) fn human(project: &Project, file: &str, diagnostic: &Diagnostic, pain
         let end = if diagnostic.span.end.line == start.line { diagnostic.span.end.column } else { u32::MAX };
         out.push_str(&marked(line, start.column as usize, end as usize, paint));
     }
+    // Writing to a string does not fail.
     for (place, note) in &diagnostic.related {
         let at = place.span.start;
-        out.push_str(&format!(
-            "\n    {}:{}:{}: {note}",
-            project.display(&place.file).display(),
-            at.line + 1,
-            column(project.text(&place.file), at)
-        ));
+        let column = column(project.text(&place.file), at);
+        let _ =
+            write!(out, "\n    {}:{}:{column}: {note}", project.display(&place.file).display(), at.line + 1);
     }
     if let Some(fix) = &diagnostic.fix {
-        out.push_str(&format!("\n    {} {}", paint.green("fix:"), fix.title));
+        let _ = write!(out, "\n    {} {}", paint.green("fix:"), fix.title);
     }
     out
 }

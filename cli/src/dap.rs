@@ -26,7 +26,9 @@ pub(crate) fn dap(arguments: &DapArguments) -> Outcome {
     };
     let (host, port) = tcp_address(listen)?;
     let listener = TcpListener::bind((host.as_str(), port)).map_err(|e| {
-        Failure::usage(format!("cannot listen at tcp:{host}:{port}: {e}; choose another port, or 0 for any free one"))
+        Failure::usage(format!(
+            "cannot listen at tcp:{host}:{port}: {e}; choose another port, or 0 for any free one"
+        ))
     })?;
     if let Ok(address) = listener.local_addr() {
         say!("listening at tcp:{}:{}", address.ip(), address.port());
@@ -46,6 +48,6 @@ pub(crate) fn tcp_address(text: &str) -> Result<(String, u16), Failure> {
 }
 
 /// Serves one editor on stdio.
-pub(crate) fn lsp() -> Outcome {
-    Ok(technol_lsp::run_stdio())
+pub(crate) fn lsp() -> u8 {
+    technol_lsp::run_stdio()
 }

@@ -57,7 +57,10 @@ fn check(folder: &Path, show: Show) -> Result<(), Failure> {
     let took = start.elapsed();
     let errors = findings.iter().flat_map(|(_, list)| list).filter(|d| d.severity == Severity::Error).count();
     if errors > 0 {
-        return Err(Failure { code: exit::ERRORS, message: format!("{}: {errors} errors", folder.display()) });
+        return Err(Failure {
+            code: exit::ERRORS,
+            message: format!("{}: {errors} errors", folder.display()),
+        });
     }
     let lines: usize = project.loaded.files.iter().map(|f| f.text.lines().count()).sum();
     show.fact(&format!("{lines} lines in {} files, no errors", project.loaded.files.len()), took);
@@ -70,7 +73,7 @@ fn build(folder: &Path, show: Show) -> Result<(), Failure> {
     let project = Project::open(folder)?;
     let built = crate::build::image(&project)?;
     let bytes = technol_image::container::encode_program(&built.image.program).len();
-    let hash: String = built.hash.iter().take(4).map(|b| format!("{b:02x}")).collect();
+    let hash = crate::build::hex(&built.hash[..4]);
     let program = &built.image.program;
     show.fact(
         &format!(
@@ -104,7 +107,10 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
     let end = find(folder, "spindle.plc", END)?;
     let path = dead_time.path.to_string_lossy().into_owned();
 
-    show.step("Debug it on the embedded target", &format!("break-point in spindle.plc, line {}", dead_time.line));
+    show.step(
+        "Debug it on the embedded target",
+        &format!("break-point in spindle.plc, line {}", dead_time.line),
+    );
     let start = Instant::now();
     let mut client = Client::in_process(&crate::dap::surroundings())?;
     let launch = json!({ "program": folder, "target": "embedded", "clock": "virtual" });
@@ -112,7 +118,10 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
     client.start(launch, &[(&path, &[dead_time.line])])?;
     let stopped = client.event(mark, "stopped")?;
     let thread = stopped["threadId"].as_i64().unwrap_or_default();
-    show.fact("the part program reversed the spindle: stopped inside the mechanism SP_CONTROL", start.elapsed());
+    show.fact(
+        "the part program reversed the spindle: stopped inside the mechanism SP_CONTROL",
+        start.elapsed(),
+    );
     location(&mut client, thread, show)?;
     registers(&mut client, thread, show)?;
     mechanisms(&mut client, show)?;
@@ -126,7 +135,10 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
 
     show.step("Set a variable", "CNT_DEAD := 14, the dead time is over one cycle later");
     let frame = client.top_frame(thread)?;
-    client.request("setExpression", json!({ "expression": "CNT_DEAD", "value": "14", "frameId": frame["id"] }))?;
+    client.request(
+        "setExpression",
+        json!({ "expression": "CNT_DEAD", "value": "14", "frameId": frame["id"] }),
+    )?;
     show.watch("CNT_DEAD", &client.evaluate("CNT_DEAD", "watch")?);
 
     show.step("Run on to the end of the reversal", &format!("break-point in line {}", end.line));
@@ -166,7 +178,7 @@ fn mechanisms(client: &mut Client, show: Show) -> Result<(), Failure> {
     show.heading("Mechanisms at work");
     let threads = client.request("threads", Value::Null)?;
     for thread in threads["threads"].as_array().into_iter().flatten() {
-        show.line(text(thread, "name"));
+        show.item(text(thread, "name"));
     }
     Ok(())
 }

@@ -38,7 +38,7 @@ fn main() -> ExitCode {
         Command::Target(arguments) => target::target(&arguments),
         Command::Dap(arguments) => dap::dap(&arguments),
         // `--stdio` only names what happens anyway.
-        Command::Lsp(LspArguments { stdio: _ }) => dap::lsp(),
+        Command::Lsp(LspArguments { stdio: _ }) => Ok(dap::lsp()),
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Demo(arguments) => demo::demo(&arguments),
     };

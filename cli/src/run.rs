@@ -25,9 +25,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
     let machine = match project.machine() {
-        Some(path) => {
-            Some(technol_target::load_machine(&path).map_err(|e| Failure::usage(e.to_string()))?)
-        }
+        Some(path) => Some(technol_target::load_machine(&path).map_err(|e| Failure::usage(e.to_string()))?),
         None => None,
     };
     // Everything that was asked for is checked before anything moves.
@@ -49,7 +47,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
             let due = CYCLE.saturating_mul(u32::try_from(done).unwrap_or(u32::MAX));
             std::thread::sleep(due.saturating_sub(start.elapsed()));
         }
-        if simulation.cycle(&mut events) == TickOutcome::Stopped || !simulation.runtime().state().is_cycling() {
+        if simulation.cycle(&mut events) == TickOutcome::Stopped || !simulation.runtime().state().is_cycling()
+        {
             break;
         }
         done += 1;
@@ -60,6 +59,9 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
 }
 
 /// Messages of the run.
-fn messages<'a>(events: &'a [RuntimeEvent], debug: &'a DebugInfo) -> impl Iterator<Item = report::Message<'a>> {
+fn messages<'a>(
+    events: &'a [RuntimeEvent],
+    debug: &'a DebugInfo,
+) -> impl Iterator<Item = report::Message<'a>> {
     events.iter().filter_map(|event| report::Message::of(event, debug))
 }

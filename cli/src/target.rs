@@ -16,9 +16,7 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         None => None,
     };
     let machine = match &arguments.machine {
-        Some(path) => {
-            Some(technol_target::load_machine(path).map_err(|e| Failure::usage(e.to_string()))?)
-        }
+        Some(path) => Some(technol_target::load_machine(path).map_err(|e| Failure::usage(e.to_string()))?),
         None => None,
     };
     let clock = match arguments.clock {

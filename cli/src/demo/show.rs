@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::time::Duration;
 
-use crate::paint::Paint;
 use crate::out::say;
+use crate::paint::Paint;
 
 /// Lines of source shown before and after the line of interest.
 const CONTEXT: usize = 2;
@@ -39,8 +39,9 @@ impl Show {
         say!("  {}", self.paint.bold(text));
     }
 
-    pub(super) fn line(self, text: &str) {
-        say!("    {text}");
+    pub(super) fn item(self, text: &str) {
+        let (name, rest) = text.split_once(" · ").unwrap_or((text, ""));
+        say!("    {} {rest}", self.paint.cyan(name));
     }
 
     pub(super) fn watch(self, name: &str, value: &str) {
@@ -65,10 +66,19 @@ impl Show {
     pub(super) fn next(self) {
         say!("\n{}", self.paint.bold("Try next"));
         for (command, what) in [
-            ("technol run examples/lathe --cycles 1000 --print SP_TURNS,T_ACTUAL,BLOCKS", "a whole part program"),
-            ("technol run examples/lathe --cycles 1000 --fault ccw-contactor-dead", "the same with a dead contactor"),
+            (
+                "technol run examples/lathe --cycles 1000 --print SP_TURNS,T_ACTUAL,BLOCKS",
+                "a whole part program",
+            ),
+            (
+                "technol run examples/lathe --cycles 1000 --fault ccw-contactor-dead",
+                "the same with a dead contactor",
+            ),
             ("technol explain TEX0 --language cs", "the help page that the editor shows on hover"),
-            ("technol target --listen tcp:127.0.0.1:5700 --machine examples/lathe/machine.toml", "a target to attach to"),
+            (
+                "technol target --listen tcp:127.0.0.1:5700 --machine examples/lathe/machine.toml",
+                "a target to attach to",
+            ),
         ] {
             say!("  {}\n      {}", self.paint.cyan(command), self.paint.dim(what));
         }

@@ -9,8 +9,8 @@ use technol_target::Simulation;
 use super::changes::{resolve, values};
 use crate::arguments::Format;
 use crate::exit::Failure;
-use crate::paint::Paint;
 use crate::out::say;
+use crate::paint::Paint;
 
 /// The names to print and what they stand for.
 pub(super) struct Wanted {

@@ -280,7 +280,7 @@ fn order(debuggee: &Debuggee, pc: Pc) -> Option<u8> {
 }
 
 /// `motion.plc:42`, as people say it.
-pub(super) fn place_text(debuggee: &Debuggee, pc: Pc) -> String {
+fn place_text(debuggee: &Debuggee, pc: Pc) -> String {
     debuggee
         .debug
         .position(pc)

@@ -11,7 +11,7 @@ use crate::target_link::TargetEvent;
 
 use super::launch::is_over;
 use super::phase::Phase;
-use super::stack::{PLC_THREAD, fault_name, fault_text, place_text, position, thread_of_sequence};
+use super::stack::{PLC_THREAD, fault_name, fault_text, position, thread_of_sequence};
 use super::{How, Session, Stop, Timer};
 
 /// The details of a fault follow its stop at once; after this long they will not come any more.
@@ -104,10 +104,10 @@ impl Session {
             StopReason::Entry => (StoppedEventReason::Entry, "before the first statement"),
             StopReason::Fault => (StoppedEventReason::Exception, "PLC fault"),
         };
-        let place = self.debuggee.as_ref().map(|d| place_text(d, stopped.pc)).unwrap_or_default();
+        // Short: editors show it beside the name of the thread; the frame has the place.
         events.push(Event::Stopped(StoppedEventBody {
             reason,
-            description: Some(format!("{description} at {place}, cycle {}", stopped.cycle)),
+            description: Some(format!("{description}, cycle {}", stopped.cycle)),
             thread_id: Some(thread_id),
             preserve_focus_hint: None,
             text,

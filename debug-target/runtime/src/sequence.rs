@@ -29,7 +29,7 @@ pub struct SequenceState {
     pub waiting: Option<u16>,
     /// Source line of its state, 0 when not active.
     pub line: u16,
-    /// 20 ms cycles since that line changed.
+    /// 20 ms cycles since it began to wait there.
     pub cycles_in_state: u64,
 }
 
@@ -188,7 +188,11 @@ impl<'a> Here<'a> {
 
     fn wait(&mut self, point: u16, line: u16) -> Step {
         if !self.rewound {
-            self.machine.memory.set_word(self.sequence.wait_cell, point);
+            if self.machine.memory.word(self.sequence.wait_cell) != point {
+                // Entered anew: a loop that comes back to the same line starts another stay there.
+                self.machine.memory.set_word(self.sequence.wait_cell, point);
+                self.machine.state_since[usize::from(self.number)] = self.machine.cycle();
+            }
             set_line(self.machine, self.sequence, self.number, line);
         }
         self.ctx.regs.close_equation();

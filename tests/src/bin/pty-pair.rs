@@ -33,8 +33,11 @@ mod pair {
         grantpt(&master)?;
         unlockpt(&master)?;
         let device = ptsname(&master, Vec::new())?.to_string_lossy().into_owned();
-        let slave =
-            rustix::fs::open(device.as_str(), OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC, Mode::empty())?;
+        let slave = rustix::fs::open(
+            device.as_str(),
+            OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC,
+            Mode::empty(),
+        )?;
         let mut settings = tcgetattr(&slave)?;
         settings.make_raw();
         tcsetattr(&slave, OptionalActions::Now, &settings)?;

@@ -14,7 +14,7 @@ fn a_stop_belongs_to_the_thread_of_its_mechanism() {
         stopped,
         json!({
             "reason": "breakpoint", "threadId": 2, "allThreadsStopped": true,
-            "description": "break-point at main.plc:20, cycle 123",
+            "description": "break-point, cycle 123",
         })
     );
     // The thread is announced before it stops.

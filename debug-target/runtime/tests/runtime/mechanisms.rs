@@ -446,6 +446,23 @@ fn line_shows_the_state_and_how_long_it_lasts() {
 }
 
 #[test]
+fn coming_back_to_a_state_is_a_new_stay_in_it() {
+    let mut bench = Builder::new()
+        .main(|b| {
+            b.mechanism(|b| {
+                let again = b.here();
+                b.ex();
+                b.op(Op::Jump { target: again, cond: Cond::Always });
+            });
+        })
+        .load()
+        .started();
+    bench.activate(0);
+    bench.cycles(6);
+    assert_eq!((bench.sequence(0).line, bench.sequence(0).cycles_in_state), (10, 1));
+}
+
+#[test]
 fn mechanisms_run_independently() {
     let mut bench = Builder::new()
         .main(|b| {
