@@ -218,19 +218,7 @@ fn module_kind(program: &Program, pc: Pc) -> Option<ModuleKind> {
 
 /// The module kind behind its index on the wire.
 pub(crate) fn module_from_index(index: u8) -> Option<ModuleKind> {
-    const KINDS: [ModuleKind; 10] = [
-        ModuleKind::Input,
-        ModuleKind::BlockInit,
-        ModuleKind::BlockDone,
-        ModuleKind::Main,
-        ModuleKind::Init,
-        ModuleKind::Done,
-        ModuleKind::Clear,
-        ModuleKind::Halt,
-        ModuleKind::Fast,
-        ModuleKind::Cont,
-    ];
-    KINDS.get(usize::from(index)).copied()
+    ModuleKind::from_number(index)
 }
 
 /// Without `.` and `..`, on paper only.

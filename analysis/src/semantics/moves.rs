@@ -9,10 +9,11 @@ use super::scope::Symbol;
 use crate::catalogue::{Effect, Entry};
 use crate::diagnostics::Rule;
 use crate::diagnostics::rules::operands as rules;
-use crate::syntax::ast::Line;
+use crate::syntax::ast::{Expr, Line};
 
-/// Checks the operands of a line against each other; each of them is valid by itself.
-pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, resolved: &[Operand]) {
+/// Checks the operands of a line against each other; each of them is valid by itself. The prefix of a counter is
+/// handed on to the time that it covers.
+pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, resolved: &mut [Operand]) {
     match entry.name {
         "MOVE" | "MOVE1" => same_type(reader, line, resolved),
         "TIM" | "TEX0" | "TEX1" => covered_time(reader, line, resolved),
@@ -46,23 +47,32 @@ const fn name(width: Width) -> &'static str {
     }
 }
 
-fn covered_time(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
+fn covered_time(reader: &mut CodeReader<'_>, line: &Line, resolved: &mut [Operand]) {
     let (Some(counter), Some(time)) = (line.operands.first(), line.operands.get(1)) else { return };
     let prefix = Shape::of(counter).ok().and_then(|shape| shape.prefix);
-    match (&prefix, resolved.get(1)) {
-        (Some(prefix), Some(Operand::Integer { .. })) => {
+    let [Operand::Cell { width: of_counter, .. }, time_operand, ..] = resolved else {
+        return untyped_time(reader, time, resolved.get(1));
+    };
+    match (&prefix, time_operand) {
+        (Some(_), Operand::Cell { width, .. }) => *width = *of_counter,
+        (Some(prefix), Operand::Integer { .. }) => {
             let message = format!(
                 "{}. before the counter covers the time too, which then must be a cell, not a constant",
                 prefix.prefix.name()
             );
             reader.report(&rules::PREFIX_COVERS_TIME, time.columns.clone(), message);
         }
-        (None, Some(Operand::Cell { width: Width::DWord, address, .. })) => {
-            let message =
-                format!("{} is neither BYTE nor WORD; put a prefix before the counter", address.symbol.name);
-            reader.report(&rules::UNTYPED_AREA, time.columns.clone(), message);
-        }
+        (None, time_operand) => untyped_time(reader, time, Some(time_operand)),
         _ => {}
+    }
+}
+
+/// A time cell that only a prefix before the counter would give a type.
+fn untyped_time(reader: &mut CodeReader<'_>, time: &Expr, operand: Option<&Operand>) {
+    if let Some(Operand::Cell { width: Width::DWord, address, .. }) = operand {
+        let message =
+            format!("{} is neither BYTE nor WORD; put a prefix before the counter", address.symbol.name);
+        reader.report(&rules::UNTYPED_AREA, time.columns.clone(), message);
     }
 }
 

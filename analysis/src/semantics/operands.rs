@@ -48,7 +48,7 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
         return resolved;
     }
     if reader.clean {
-        moves::check(reader, entry, line, &resolved);
+        moves::check(reader, entry, line, &mut resolved);
     }
     resolved
 }

@@ -198,7 +198,7 @@ fn module(word: &str) -> Option<Boundary<'static>> {
         && word.is_char_boundary(word.len() - 4)
         && word[word.len() - 4..].eq_ignore_ascii_case("_END");
     let keyword = if ends { &word[..word.len() - 4] } else { word };
-    let kind = MODULES.iter().copied().find(|kind| kind.keyword().eq_ignore_ascii_case(keyword))?;
+    let kind = ModuleKind::ALL.iter().copied().find(|kind| kind.keyword().eq_ignore_ascii_case(keyword))?;
     Some(if ends { Boundary::Close(Closing::Module) } else { Boundary::Open(SectionKind::Module(kind), "") })
 }
 
@@ -208,16 +208,3 @@ fn next_word(text: &str) -> (&str, &str) {
     let len = if text.starts_with(|c: char| c.is_ascii_digit()) { 0 } else { word_len(text) };
     text.split_at(len)
 }
-
-const MODULES: [ModuleKind; 10] = [
-    ModuleKind::Input,
-    ModuleKind::BlockInit,
-    ModuleKind::BlockDone,
-    ModuleKind::Main,
-    ModuleKind::Init,
-    ModuleKind::Done,
-    ModuleKind::Clear,
-    ModuleKind::Halt,
-    ModuleKind::Fast,
-    ModuleKind::Cont,
-];

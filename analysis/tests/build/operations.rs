@@ -291,6 +291,14 @@ fn messages() {
 }
 
 #[test]
+fn the_prefix_of_a_counter_covers_the_time() {
+    let built = built_source(DATA, "MECH_BEGIN M\nTIM BYTE.WRD,(WRD)\nMECH_END M\n");
+    let (program, _) = parts(&built);
+    let timed = &program.timed[0];
+    assert_eq!((timed.width, timed.time), (Width::Byte, Source::Mem(timed.count)));
+}
+
+#[test]
 fn ex_type_instructions_are_numbered_in_their_sequence() {
     let main = "\
 MECH_BEGIN ONE

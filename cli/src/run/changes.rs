@@ -115,13 +115,7 @@ fn set(text: &str, debug: &DebugInfo, program: &Program) -> Result<Change, Failu
 
 /// What a name stands for; a mechanism is its activation bit.
 pub(super) fn resolve(debug: &DebugInfo, program: &Program, name: &str) -> Result<Target, String> {
-    match expression::resolve(debug, None, name).map_err(|e| e.to_string())? {
-        Target::Mechanism(sequence) => match program.sequences.get(usize::from(sequence)) {
-            Some(sequence) => Ok(Target::Bit { addr: sequence.active_addr, bit: sequence.active_bit }),
-            None => Err("the program has no such mechanism".to_owned()),
-        },
-        target => Ok(target),
-    }
+    Ok(expression::resolve(debug, None, name).map_err(|e| e.to_string())?.in_memory(program))
 }
 
 fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), Failure> {

@@ -60,6 +60,26 @@ pub enum ModuleKind {
 }
 
 impl ModuleKind {
+    /// All kinds in the order of their numbers, which the debug protocol uses.
+    pub const ALL: [ModuleKind; 10] = [
+        ModuleKind::Input,
+        ModuleKind::BlockInit,
+        ModuleKind::BlockDone,
+        ModuleKind::Main,
+        ModuleKind::Init,
+        ModuleKind::Done,
+        ModuleKind::Clear,
+        ModuleKind::Halt,
+        ModuleKind::Fast,
+        ModuleKind::Cont,
+    ];
+
+    /// The kind with that number.
+    #[must_use]
+    pub fn from_number(number: u8) -> Option<ModuleKind> {
+        ModuleKind::ALL.get(usize::from(number)).copied()
+    }
+
     /// The keyword that opens the module.
     #[must_use]
     pub const fn keyword(self) -> &'static str {
