@@ -59,7 +59,7 @@ impl Outputs {
 pub(crate) fn image(project: &Project) -> Result<Built, Failure> {
     let built = project.analysis.build().map_err(|_| Failure::usage("the build was interrupted"))?;
     built.map_err(|problems| {
-        let paint = Paint::stdout();
+        let paint = Paint::stderr();
         for (file, diagnostic) in &problems {
             eprintln!("{}", check::human(project, file, diagnostic, paint));
         }

@@ -14,9 +14,9 @@ use crate::paint::Paint;
 /// Counts by severity.
 #[derive(Default)]
 struct Totals {
-    errors: usize,
-    warnings: usize,
-    others: usize,
+    errors: u64,
+    warnings: u64,
+    others: u64,
 }
 
 /// Checks and reports. Exit 0 without errors, 1 with errors, 2 when nothing could be checked.
@@ -124,8 +124,8 @@ fn column(text: Option<&str>, position: Position) -> u32 {
 
 fn summary(project: &Project, totals: &Totals, paint: Paint) -> String {
     if totals.errors + totals.warnings + totals.others == 0 {
-        let files = project.loaded.files.len();
-        let lines: usize = project.loaded.files.iter().map(|f| f.text.lines().count()).sum();
+        let files = project.loaded.files.len() as u64;
+        let lines: u64 = project.loaded.files.iter().map(|f| f.text.lines().count() as u64).sum();
         return format!(
             "{}: {} in {} without findings",
             paint.green("clean"),
@@ -146,7 +146,9 @@ fn summary(project: &Project, totals: &Totals, paint: Paint) -> String {
     parts.join(", ")
 }
 
-fn count(n: usize, what: &str) -> String {
+/// `1 line`, `2 lines`.
+pub(crate) fn count(n: impl Into<u64>, what: &str) -> String {
+    let n = n.into();
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }
 
@@ -165,8 +167,8 @@ mod tests {
 
     #[test]
     fn counts_use_the_plural() {
-        assert_eq!(count(1, "error"), "1 error");
-        assert_eq!(count(0, "error"), "0 errors");
-        assert_eq!(count(7, "file"), "7 files");
+        assert_eq!(count(1_u64, "error"), "1 error");
+        assert_eq!(count(0_u64, "error"), "0 errors");
+        assert_eq!(count(7_u64, "file"), "7 files");
     }
 }

@@ -15,6 +15,11 @@ impl Paint {
         Paint { on: std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none() }
     }
 
+    /// For standard error, likewise.
+    pub(crate) fn stderr() -> Paint {
+        Paint { on: std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() }
+    }
+
     /// Headings.
     pub(crate) fn bold(self, text: impl Display) -> String {
         self.wrap("1", text)

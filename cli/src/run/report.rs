@@ -126,7 +126,8 @@ impl Run<'_> {
     fn human(&self, wanted: &Wanted) {
         let paint = Paint::stdout();
         let runtime = self.simulation.runtime();
-        say!("{} cycles ({:.2} s), PLC {:?}", self.cycles, self.cycles as f64 * 0.02, runtime.state());
+        let cycles = crate::check::count(self.cycles, "cycle");
+        say!("{cycles} ({:.2} s), PLC {:?}", self.cycles as f64 * 0.02, runtime.state());
         for message in super::messages(self.events, self.debug) {
             let (file, line) = message.place.unwrap_or(("?", 0));
             let removed = if message.set { "" } else { " removed" };

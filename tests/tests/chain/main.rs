@@ -1,0 +1,13 @@
+//! From source text to what the program does: the real front end, the real build, the real virtual machine.
+
+#[path = "../shared/frame.rs"]
+mod frame;
+
+mod arithmetic;
+mod bits;
+mod comparisons;
+mod data;
+mod lathe;
+mod mechanisms;
+mod plc;
+mod time;

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::frame::program;
 use crate::lathe::Lathe;
-use crate::ran::{Folder, Ran, run};
+use crate::ran::{Folder, Ran, run, run_in};
 
 fn found(path: &str) -> Ran {
     run(&["check", path, "--format", "json"])
@@ -43,6 +43,20 @@ fn a_clean_project_says_so_and_ends_with_0() {
 }
 
 #[test]
+fn without_a_path_the_project_is_the_present_folder() {
+    let lathe = Lathe::copy();
+    let out = run_in(&lathe.folder(), &["check"]).ok();
+    assert!(out.starts_with("clean:"), "{out}");
+    run_in(&lathe.folder(), &["build"]).ok();
+    assert!(lathe.folder().join("out").join("lathe.tplc").is_file());
+    run_in(&lathe.folder(), &["run", "--cycles", "1"]).ok();
+    lathe.edit("spindle.plc", "LDR  SP_REQ_STOP ", "LDR  NOBODY ");
+    let finding = run_in(&lathe.folder(), &["check", "--format", "json"]).json();
+    let file = finding["file"].as_str().expect("a file");
+    assert!(lathe.folder().join(file).is_file(), "a path from here: {file}");
+}
+
+#[test]
 fn a_mistake_is_one_json_object_a_line_and_ends_with_1() {
     let source = program("CTL: DFM DOOR,,,,,,,\nVALUE: DS 2", " LDR DOR\n WR DOOR\n STO VALUE2", "");
     let folder = Folder::lone(&source);
@@ -58,7 +72,11 @@ fn a_mistake_is_one_json_object_a_line_and_ends_with_1() {
     let first = &objects[0];
     assert_eq!(first["file"].as_str().map(str::to_owned), Some(path.clone()));
     assert_eq!([&first["line"], &first["endLine"]], [6, 6]);
-    assert_eq!([&first["column"], &first["endColumn"]], [6, 9], "1-based, the end is behind the last character");
+    assert_eq!(
+        [&first["column"], &first["endColumn"]],
+        [6, 9],
+        "1-based, the end is behind the last character"
+    );
     assert_eq!([&first["severity"], &first["code"]], ["error", "T0301"]);
     assert!(first["message"].as_str().is_some_and(|m| m.contains("DOR") && m.contains("DOOR")), "{first}");
     expect(&ran, 1, &[("plc.plc", 6, 6, 9, "T0301"), ("plc.plc", 8, 6, 12, "T0301")]);
@@ -80,9 +98,12 @@ fn warnings_alone_end_with_0_and_lints_change_severities() {
     let finding = ran.json();
     assert_eq!(finding["severity"], "warning");
     let code = finding["code"].as_str().expect("a code").to_owned();
-    for (severity, exit, shown) in
-        [("off", 0, None), ("hint", 0, Some("hint")), ("warning", 0, Some("warning")), ("error", 1, Some("error"))]
-    {
+    for (severity, exit, shown) in [
+        ("off", 0, None),
+        ("hint", 0, Some("hint")),
+        ("warning", 0, Some("warning")),
+        ("error", 1, Some("error")),
+    ] {
         folder.write("technol.toml", manifest(&format!("{code} = \"{severity}\"")).as_bytes());
         let ran = found(&folder.path(""));
         assert_eq!(ran.code, Some(exit), "{severity}: {ran:?}");
@@ -188,7 +209,7 @@ fn mistakes_in_the_manifest_are_found_in_the_manifest() {
     let source = program("", " NOP", "");
     for (manifest, line, column, code, severity, said) in [
         ("[project]\nmian = \"main.plc\"\n", 2, 1, "T0002", "warning", "main"),
-        ("[project]\nname = \"x\n", 2, 1, "T0001", "error", "TOML"),
+        ("[project]\nname = \"x\n", 2, 10, "T0001", "error", "TOML"),
         ("[project]\nencoding = \"latin2\"\n", 2, 12, "T0003", "error", "windows-1250"),
         ("[project]\nname = 5\n", 2, 8, "T0003", "error", "name"),
         ("[target]\naddress = \"usb\"\n", 2, 11, "T0003", "error", "serial:"),

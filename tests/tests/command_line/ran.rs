@@ -1,6 +1,6 @@
 //! Running the program to its end, and small projects to run it on.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
@@ -50,8 +50,18 @@ impl Ran {
 
 /// Runs `technol` with these arguments.
 pub(crate) fn run(arguments: &[&str]) -> Ran {
+    run_in(Path::new("."), arguments)
+}
+
+/// Runs `technol` with these arguments in a folder.
+pub(crate) fn run_in(folder: &Path, arguments: &[&str]) -> Ran {
     let mut command = Command::new(technol());
-    let output = command.args(arguments).stdin(Stdio::null()).output().expect("the program starts");
+    let output = command
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .output()
+        .expect("the program starts");
     let Output { status, stdout, stderr } = output;
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     Ran { code: status.code(), out: text(stdout), err: text(stderr) }

@@ -5,8 +5,8 @@ use std::time::Duration;
 use serde_json::{Value, json};
 use technol_dap::client::{Client, Mark};
 
-use crate::child::{Adapter, PATIENCE, Process, Site};
 use crate::binary::technol;
+use crate::child::{Adapter, PATIENCE, Process, Site};
 use crate::lathe::Lathe;
 
 /// Starts the lathe on the target and leaves it running.

@@ -96,6 +96,7 @@ impl Site {
 
     /// A target with the lathe's machine behind two pseudo terminals.
     #[cfg(unix)]
+    #[expect(clippy::unnecessary_wraps, reason = "other systems have no pseudo terminals")]
     pub(crate) fn serial(lathe: &Lathe) -> Option<Site> {
         let mut cable = Process::start(Path::new(env!("CARGO_BIN_EXE_pty-pair")), &[]);
         let (near, far) = (cable.line(), cable.line());

@@ -9,6 +9,8 @@ mod frame;
 mod lathe;
 
 mod attach;
+mod breakpoints;
 mod child;
+mod console;
 mod session;
 mod trouble;

@@ -1,0 +1,67 @@
+//! Comparisons (manual 3.14): with sign, at the width of the operand.
+
+use crate::plc::{Row, check};
+
+#[test]
+fn every_relation_at_every_width() {
+    // DR is 5 at the widths 8, 16, 32 and 64; the operands are 4, 5, 6 and -1.
+    let relations: [(&str, [bool; 4]); 5] = [
+        ("EQ", [false, true, false, false]),
+        ("LT", [false, false, true, false]),
+        ("GT", [true, false, false, true]),
+        ("LE", [false, true, true, false]),
+        ("GE", [true, true, false, true]),
+    ];
+    let mut rows: Vec<Row> = Vec::new();
+    for (relation, results) in relations {
+        for (operand, result) in ["4", "5", "6", "-1"].into_iter().zip(results) {
+            let cells =
+                ["B1", "W1", "D1", "QWRD.Q1"].map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
+            let real = (format!("REAL.R1={operand}.0"), "REAL.R1".to_owned());
+            let constant = (String::new(), format!("CNST.{operand}"));
+            let real_constant = (String::new(), format!("CNST.{operand}.0"));
+            for (given, compared) in cells.into_iter().chain([real, constant, real_constant]) {
+                let lines = format!("LOD CNST.5.0 / {relation} {compared} / WR O0");
+                let then = format!("OB={} DR64=5 DR_REAL=5.0", u8::from(result));
+                rows.push((leak(given), leak(lines), leak(then)));
+            }
+        }
+    }
+    check(&rows);
+}
+
+/// Rows are written as literals; these are few.
+fn leak(text: String) -> &'static str {
+    Box::leak(text.into_boxed_str())
+}
+
+#[test]
+fn only_the_part_of_dr_at_the_width_counts() {
+    const Q: &str = "QWRD.Q1=1122334455667788h B1=88h W1=7788h D1=55667788h QWRD.Q2=55667788h";
+    check(&[
+        (Q, "LOD QWRD.Q1 / EQ B1 / WR O0", "OB=1"),
+        (Q, "LOD QWRD.Q1 / EQ W1 / WR O0", "OB=1"),
+        (Q, "LOD QWRD.Q1 / EQ D1 / WR O0", "OB=1"),
+        (Q, "LOD QWRD.Q1 / EQ CNST.55667788h / WR O0", "OB=1"),
+        (Q, "LOD QWRD.Q1 / EQ QWRD.Q2 / WR O0", "OB=0"),
+        (Q, "LOD QWRD.Q1 / EQ BYTE.(W1+1) / WR O0", "OB=0"),
+        ("B1=0FFh", "LOD B1 / EQ BYTE.255 / WR O0", "OB=1"),
+        ("B1=0FFh", "LOD B1 / EQ CNST.255 / WR O0", "OB=0"),
+        ("B1=0FFh", "LOD B1 / EQ CNST.-1 / WR O0", "OB=1"),
+        ("W1=8000h", "LOD CNST.5 / LT W1 / WR O0", "OB=0"),
+        ("W1=8000h", "LOD W1 / LT CNST.5 / WR O0", "OB=1"),
+        ("W1=0500h", "LOD CNST.5 / EQ HIGH.W1 / WR O0", "OB=1"),
+    ]);
+}
+
+#[test]
+fn chained_comparisons_only_clear() {
+    check(&[
+        ("IB=1 W1=5", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=1"),
+        ("IB=1 W1=6", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=0"),
+        ("IB=0 W1=5", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=0"),
+        ("IB=1 W1=5 B1=7", "LDR I0 / LOD W1 / EQ1 CNST.5 / LOD B1 / EQ1 BYTE.7 / WR O0", "OB=1"),
+        ("IB=1 W1=4 B1=7", "LDR I0 / LOD W1 / EQ1 CNST.5 / LOD B1 / EQ1 BYTE.7 / WR O0", "OB=0"),
+        ("IB=1 REAL.R1=0.5", "LDR I0 / LOD REAL.R1 / EQ1 CNST.0.5 / WR O0", "OB=1"),
+    ]);
+}

@@ -1,0 +1,152 @@
+//! A source text as a running PLC, and rows of tables about it.
+
+use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
+use technol_analysis::project::{FileReader, load};
+use technol_analysis::{AnalysisHost, Built, Change};
+use technol_image::{DebugInfo, Program};
+use technol_target::Simulation;
+
+use crate::frame;
+
+/// The cells of the tables; they lie one behind the other in this order.
+const DATA: &str = "\
+IB: DFM I0,I1,I2,I3,I4,I5,I6,I7
+OB: DFM O0,O1,O2,O3,O4,O5,O6,O7
+B1: DS 1
+B2: DS 1
+W1: DS 2
+W2: DS 2
+D1: DS 4
+D2: DS 4
+Q1: DS 8
+Q2: DS 8
+R1: DS 8
+R2: DS 8
+AREA: DS 16
+EQUI FIVE,5";
+
+/// Line of the first of the lines given to [`Plc::of`].
+pub(crate) fn first_line() -> usize {
+    DATA.lines().count() + 4
+}
+
+/// What is in memory before, the lines separated by `/`, what is true after one cycle: `NAME=VALUE …` with names
+/// and values as a debugger takes them.
+pub(crate) type Row = (&'static str, &'static str, &'static str);
+
+/// One file as a project.
+struct OneFile(String);
+
+impl FileReader for OneFile {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        if path == "plc.plc" { Ok(self.0.clone().into_bytes()) } else { Err("no such file".to_owned()) }
+    }
+}
+
+/// Builds what was loaded; panics with the findings when it cannot be built.
+pub(crate) fn build(reader: &dyn FileReader, path: &str) -> Built {
+    let mut host = AnalysisHost::new();
+    host.apply(Change { project: Some(load(path, reader)), texts: Vec::new() });
+    let built = host.analysis().build().expect("nothing cancels it");
+    built.unwrap_or_else(|findings| {
+        let lines: Vec<String> =
+            findings.iter().map(|(f, d)| format!("{f} {:?} {}", d.span, d.message)).collect();
+        panic!("{}", lines.join("\n"))
+    })
+}
+
+/// A running program.
+pub(crate) struct Plc {
+    simulation: Simulation,
+    debug: DebugInfo,
+}
+
+impl Plc {
+    /// A program of these lines of MODULE_MAIN, past MODULE_INIT.
+    pub(crate) fn of(lines: &str) -> Plc {
+        let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
+        let source = frame::program(DATA, &main.join("\n"), "");
+        let built = build(&OneFile(source), "plc.plc");
+        let debug = built.image.debug.expect("a build has debug information");
+        let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
+        simulation.start(true);
+        simulation.tick(&mut Vec::new());
+        Plc { simulation, debug }
+    }
+
+    pub(crate) fn run(&mut self, cycles: u32) {
+        for _ in 0..cycles {
+            self.simulation.cycle(&mut Vec::new());
+        }
+    }
+
+    /// Why the program was stopped.
+    pub(crate) fn fault(&self) -> Option<String> {
+        self.simulation.runtime().fault().map(|fault| fault.kind.to_string())
+    }
+
+    fn registers(&self) -> RegisterValues {
+        let r = self.simulation.runtime().registers();
+        RegisterValues { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx }
+    }
+
+    /// `NAME=VALUE …`
+    pub(crate) fn set(&mut self, values: &str) {
+        for text in values.split_whitespace() {
+            let runtime = self.simulation.runtime_mut();
+            let result = match assignment(&self.debug, runtime.program(), text).1 {
+                Assignment::Bit { addr, bit, value } => runtime.write_bit(addr, bit, value),
+                Assignment::Memory { addr, bytes } => runtime.write_memory(addr, &bytes),
+                Assignment::Registers(_) => panic!("{text}: load registers by the program"),
+            };
+            result.unwrap_or_else(|e| panic!("{text}: {e}"));
+        }
+    }
+
+    /// The conditions among `NAME=VALUE …` that do not hold, with what is there instead.
+    pub(crate) fn differences(&self, values: &str) -> Vec<String> {
+        let runtime = self.simulation.runtime();
+        let (memory, registers) = (runtime.memory(), self.registers());
+        let holds = |assignment: &Assignment| match assignment {
+            Assignment::Bit { addr, bit, value } => (memory[*addr as usize] >> bit & 1 != 0) == *value,
+            Assignment::Memory { addr, bytes } => memory[*addr as usize..].starts_with(bytes),
+            Assignment::Registers(change) => change.apply(registers) == registers,
+        };
+        let wrong = values.split_whitespace().filter_map(|text| {
+            let (target, assignment) = assignment(&self.debug, runtime.program(), text);
+            let found = target.read(memory, &registers);
+            (!holds(&assignment)).then(|| format!("{text} is {found:X?}"))
+        });
+        wrong.collect()
+    }
+}
+
+/// What the name in `NAME=VALUE` stands for, and what gives it the value.
+fn assignment(debug: &DebugInfo, program: &Program, text: &str) -> (Target, Assignment) {
+    let (name, value) = text.split_once('=').unwrap_or_else(|| panic!("NAME=VALUE: {text}"));
+    let target = expression::resolve(debug, Some(0), name).unwrap_or_else(|e| panic!("{text}: {e}"));
+    let target = target.in_memory(program);
+    (target, target.assign(value).unwrap_or_else(|e| panic!("{text}: {e}")))
+}
+
+/// A label stands at the start of its line, an instruction does not.
+fn indented(line: &str) -> String {
+    if line.ends_with(':') { line.to_owned() } else { format!("  {line}") }
+}
+
+/// Runs every row for one cycle; all that went wrong is reported at once.
+#[track_caller]
+pub(crate) fn check(rows: &[Row]) {
+    let mut wrong = Vec::new();
+    for (given, lines, then) in rows {
+        let mut plc = Plc::of(lines);
+        plc.set(given);
+        plc.run(1);
+        let mut found = plc.differences(then);
+        found.extend(plc.fault());
+        if !found.is_empty() {
+            wrong.push(format!("{given}: {lines}: {}", found.join(", ")));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {} rows:\n{}", wrong.len(), rows.len(), wrong.join("\n"));
+}
