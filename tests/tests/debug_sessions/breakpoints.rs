@@ -81,7 +81,8 @@ fn without_debug_everywhere_only_debug_regions_take_break_points() {
 fn a_list_of_break_points_replaces_the_one_before() {
     let lathe = Lathe::copy();
     let file = lathe.path("main.plc");
-    let lines = ["LOD  CYCLES", "LDR  -READY", "LOD  OP0"].map(|text| lathe.line("main.plc", text));
+    let lines = ["LOD  CYCLES", "LDR  -READY", "MOVE BYTE.(FAULTS+1),FAULTS"]
+        .map(|text| lathe.line("main.plc", text));
     let mut adapter = Adapter::start();
     let client = &mut adapter.client;
     client.start(Site::embedded().launch(&lathe), &[(&file, &lines)]).expect("the program starts");
