@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use technol_analysis::diagnostics::rules::project::MACHINE_FILE;
 use technol_analysis::project::{FileReader, LoadedProject};
-use technol_analysis::{Analysis, AnalysisHost, Change, Diagnostic};
+use technol_analysis::{Analysis, AnalysisHost, Change, Diagnostic, Position, Span};
 
 use crate::exit::Failure;
 
@@ -21,6 +22,8 @@ impl FileReader for Disk {
 pub(crate) struct Project {
     pub(crate) loaded: Arc<LoadedProject>,
     pub(crate) analysis: Analysis,
+    /// Project path and text of the machine file, when the manifest names one that can be read.
+    machine_file: Option<(String, String)>,
 }
 
 impl Project {
@@ -35,7 +38,12 @@ impl Project {
         let loaded = technol_analysis::project::load(&path.to_string_lossy(), &Disk);
         let mut host = AnalysisHost::new();
         host.apply(Change { project: Some(loaded.clone()), texts: Vec::new() });
-        Ok(Project { loaded: Arc::new(loaded), analysis: host.analysis() })
+        let machine = loaded.manifest.machine.as_ref().map(|file| file.text.clone());
+        let machine_file = machine.and_then(|file| {
+            let text = std::fs::read_to_string(Path::new(&loaded.root).join(&file)).ok()?;
+            Some((file, text))
+        });
+        Ok(Project { loaded: Arc::new(loaded), analysis: host.analysis(), machine_file })
     }
 
     /// The path of a project file as a user of this shell would write it.
@@ -43,17 +51,56 @@ impl Project {
         Path::new(&self.loaded.root).join(file)
     }
 
-    /// All findings, by file.
+    /// All findings, by file, those of the machine file among them.
     pub(crate) fn findings(&self) -> Result<Vec<(String, Vec<Diagnostic>)>, Failure> {
         // Nothing cancels a query here: this process has no writer.
-        self.analysis.all_diagnostics().map_err(|_| Failure::usage("the check was interrupted"))
+        let mut findings =
+            self.analysis.all_diagnostics().map_err(|_| Failure::usage("the check was interrupted"))?;
+        if let Some(file) = &self.loaded.manifest.machine {
+            let wrong = self.machine_findings();
+            if !wrong.is_empty() {
+                findings.push((file.text.clone(), wrong));
+            }
+        }
+        Ok(findings)
+    }
+
+    /// What is wrong in the machine file. The front end does not know machines; the target does.
+    fn machine_findings(&self) -> Vec<Diagnostic> {
+        let Some(path) = self.machine() else { return Vec::new() };
+        let errors = match &self.machine_file {
+            Some((_, text)) => technol_target::parse_machine(&path, text).err().unwrap_or_default(),
+            // Says why it cannot be read.
+            None => technol_target::load_machine(&path).err().into_iter().collect(),
+        };
+        let text = self.machine_file.as_ref().map_or("", |(_, text)| text.as_str());
+        errors
+            .into_iter()
+            .map(|error| {
+                let line = error.line.saturating_sub(1);
+                let before = error.col.saturating_sub(1) as usize;
+                let source = text.lines().nth(line as usize).unwrap_or_default();
+                let column = source.chars().take(before).map(char::len_utf8).sum::<usize>() as u32;
+                let at = Position { line, column };
+                Diagnostic {
+                    code: MACHINE_FILE.code,
+                    severity: MACHINE_FILE.severity,
+                    message: error.message,
+                    span: Span { start: at, end: at },
+                    related: Vec::new(),
+                    fix: None,
+                }
+            })
+            .collect()
     }
 
     /// Text of a file of the project, an included one or the manifest, when it could be read.
     pub(crate) fn text(&self, file: &str) -> Option<&str> {
         let sources = self.loaded.files.iter().chain(&self.loaded.included).map(|f| (&f.path, &f.text));
         let manifest = self.loaded.manifest_file.iter().map(|(path, text)| (path, text));
-        sources.chain(manifest).find(|(path, _)| *path == file).map(|(_, text)| &**text)
+        let machine = self.machine_file.iter().map(|(path, text)| (path, text.as_str()));
+        let sources = sources.chain(manifest).map(|(path, text)| (path, &**text));
+        sources.chain(machine).find(|(path, _)| *path == file).map(|(_, text)| text)
     }
 }
 

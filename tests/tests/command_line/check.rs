@@ -43,6 +43,21 @@ fn a_clean_project_says_so_and_ends_with_0() {
 }
 
 #[test]
+fn a_mistake_in_the_machine_file_is_found_there() {
+    let lathe = Lathe::copy();
+    lathe.edit(
+        "machine.toml",
+        "output = \"P0OUT.0\"\ninput = \"P1IN.0\"",
+        "output = \"P0OUT.0\"\ninput = \"P999IN.0\"",
+    );
+    let out = run(&["check", &lathe.path("technol.toml"), "--format", "json"]);
+    expect(&out, 1, &[("machine.toml", 14, 9, 9, "T0014")]);
+    std::fs::remove_file(lathe.path("machine.toml")).expect("removed");
+    let out = run(&["check", &lathe.path("technol.toml"), "--format", "json"]);
+    expect(&out, 1, &[("machine.toml", 1, 1, 1, "T0014")]);
+}
+
+#[test]
 fn without_a_path_the_project_is_the_present_folder() {
     let lathe = Lathe::copy();
     let out = run_in(&lathe.folder(), &["check"]).ok();

@@ -27,6 +27,7 @@ pub static RULES: &[&Rule] = &[
     &project::INCLUDED_CODE,
     &project::INCLUDED_TWICE,
     &project::UNDECODABLE,
+    &project::MACHINE_FILE,
     &syntax::UNEXPECTED_CHARACTER,
     &syntax::TYPOGRAPHIC_QUOTE,
     &syntax::UNCLOSED_TEXT,

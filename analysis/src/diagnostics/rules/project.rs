@@ -138,3 +138,14 @@ pub static UNDECODABLE: Rule = Rule {
         U+FFFD for reading. Set `encoding` in `technol.toml` to `auto`, `utf-8`, `windows-1250` or \
         `cp852`, or save the file again.",
 };
+
+/// T0014 machine-file.
+pub static MACHINE_FILE: Rule = Rule {
+    code: "T0014",
+    name: "machine-file",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The file that `[machine] file` of `technol.toml` names cannot be read, or describes a machine that \
+        does not work: an unknown key, a signal that is no port bit, one input driven twice. `technol check` reports \
+        it in that file; the program itself builds, but `technol run` and the embedded target need the machine.",
+};
