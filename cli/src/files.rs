@@ -4,19 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use technol_analysis::diagnostics::rules::project::MACHINE_FILE;
-use technol_analysis::project::{FileReader, LoadedProject};
+use technol_analysis::project::LoadedProject;
 use technol_analysis::{Analysis, AnalysisHost, Change, Diagnostic, Position, Span};
+use technol_dap::Disk;
 
 use crate::exit::Failure;
-
-/// Reads files from disk.
-pub(crate) struct Disk;
-
-impl FileReader for Disk {
-    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        std::fs::read(path).map_err(|error| error.to_string())
-    }
-}
 
 /// A project read from disk and its analysis.
 pub(crate) struct Project {

@@ -1,15 +1,14 @@
 //! Builds projects from files, and keeps the image beside them as `technol build` does.
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use technol_analysis::project::{EncodingChoice, FileReader, LoadedProject, discover, load};
-use technol_analysis::{Analysis, AnalysisHost, Change, Diagnostic, Severity};
-use technol_image::program::ContentHash;
-use technol_image::{Image, decode, encode};
+use technol_analysis::{AnalysisHost, Change, Diagnostic, Severity};
+use technol_image::Image;
 
 use crate::arguments::Policy;
+use crate::kept_image::KeptImage;
 use crate::project::{BuildFailure, Builder, BuiltProject, Problem};
 
 /// Builds projects on disk. The image goes to `out/NAME.tplc` in the project folder, with `out/NAME.stamp` beside
@@ -17,13 +16,9 @@ use crate::project::{BuildFailure, Builder, BuiltProject, Problem};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileBuilder;
 
-/// Where the results are.
-struct Outputs {
-    image: PathBuf,
-    stamp: PathBuf,
-}
-
-struct Disk;
+/// Reads files from disk.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Disk;
 
 impl FileReader for Disk {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
@@ -38,16 +33,17 @@ impl Builder for FileBuilder {
         host.apply(Change { project: Some(loaded.clone()), texts: Vec::new() });
         let analysis = host.analysis();
         let root = PathBuf::from(&loaded.root);
-        let outputs = Outputs::new(&root, &loaded.manifest.name);
+        let kept = KeptImage::new(&root.join("out"), &loaded.manifest.name);
         if policy == Policy::Never {
-            let image = outputs.read().map_err(|reason| outputs.missing(reason))?;
-            let changed = outputs.stamp() != stamp(&analysis);
-            let stale = if changed { "; the sources have changed since it was built" } else { "" };
-            let summary = format!("{}: {}{stale}", loaded.manifest.name, outputs.image.display());
+            let missing = |reason| BuildFailure::NoImage { path: kept.path().to_owned(), reason };
+            let image = kept.read().map_err(missing)?;
+            let current = kept.is_current(&analysis);
+            let stale = if current { "" } else { "; the sources have changed since it was built" };
+            let summary = format!("{}: {}{stale}", loaded.manifest.name, kept.path().display());
             return Ok(project(&loaded, root, image, summary, Vec::new()));
         }
-        let unchanged = policy == Policy::IfStale && outputs.stamp() == stamp(&analysis);
-        if let Some(image) = unchanged.then(|| outputs.read().ok()).flatten() {
+        let unchanged = policy == Policy::IfStale && kept.is_current(&analysis);
+        if let Some(image) = unchanged.then(|| kept.read().ok()).flatten() {
             let summary = format!("{} is up to date", loaded.manifest.name);
             return Ok(project(&loaded, root, image, summary, Vec::new()));
         }
@@ -69,15 +65,11 @@ impl Builder for FileBuilder {
             let found = found.iter().filter(|d| d.severity == Severity::Warning);
             warnings.extend(found.map(|d| locate(&root, &file, d)));
         }
-        let summary = match outputs.write(&built.image, stamp(&analysis).as_deref()) {
+        let summary = match kept.write(&built.image, &analysis) {
             Ok(()) => format!("{} is built", loaded.manifest.name),
             // It can be debugged all the same; only the next start will build again.
             Err(error) => {
-                format!(
-                    "{} is built, but not kept: {}: {error}",
-                    loaded.manifest.name,
-                    outputs.image.display()
-                )
+                format!("{} is built, but not kept: {}: {error}", loaded.manifest.name, kept.path().display())
             }
         };
         Ok(project(&loaded, root, built.image, summary, warnings))
@@ -127,52 +119,6 @@ fn locate(root: &Path, file: &str, diagnostic: &Diagnostic) -> Problem {
         column: diagnostic.span.start.column + 1,
         code: diagnostic.code.to_owned(),
         message: diagnostic.message.clone(),
-    }
-}
-
-/// Identifies everything an image depends on.
-fn stamp(analysis: &Analysis) -> Option<String> {
-    let hash: ContentHash = analysis.sources_hash().ok()?;
-    Some(hash.iter().map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat())
-}
-
-impl Outputs {
-    fn new(root: &Path, name: &str) -> Self {
-        let file = |end: &str| root.join("out").join(format!("{name}.{end}"));
-        Outputs { image: file("tplc"), stamp: file("stamp") }
-    }
-
-    fn stamp(&self) -> Option<String> {
-        fs::read_to_string(&self.stamp).ok().map(|text| text.trim().to_owned())
-    }
-
-    /// The image, if it can be debugged with.
-    fn read(&self) -> Result<Image, String> {
-        let bytes = fs::read(&self.image).map_err(|error| error.to_string())?;
-        let image = decode(&bytes).map_err(|error| error.to_string())?;
-        if image.debug.is_none() {
-            return Err("it has no debug information".into());
-        }
-        Ok(image)
-    }
-
-    fn missing(&self, reason: String) -> BuildFailure {
-        BuildFailure::NoImage { path: self.image.clone(), reason }
-    }
-
-    /// Replaces the image. The stamp goes first and comes back last: it never vouches for another image.
-    fn write(&self, image: &Image, stamp: Option<&str>) -> io::Result<()> {
-        if let Some(folder) = self.image.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        match fs::remove_file(&self.stamp) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
-        let unfinished = self.image.with_extension("tplc.new");
-        fs::write(&unfinished, encode(image))?;
-        fs::rename(&unfinished, &self.image)?;
-        stamp.map_or(Ok(()), |stamp| fs::write(&self.stamp, format!("{stamp}\n")))
     }
 }
 

@@ -12,6 +12,7 @@ mod connection;
 mod errors;
 mod expression;
 mod file_builder;
+mod kept_image;
 mod mechanisms;
 mod memory;
 #[cfg(test)]
@@ -33,6 +34,7 @@ mod values;
 
 pub use arguments::Policy;
 pub use connection::{ByteLink, Clock, Connector, TargetSpec};
-pub use file_builder::FileBuilder;
+pub use file_builder::{Disk, FileBuilder};
+pub use kept_image::KeptImage;
 pub use project::{BuildFailure, Builder, BuiltProject, Problem};
 pub use server::{Surroundings, serve, serve_stdio, serve_stream, serve_tcp};

@@ -110,3 +110,16 @@ fn a_project_with_errors_is_not_built() {
     assert!(!Path::new(&folder.path("out/plc.tplc")).exists());
     run(&["build", &folder.path("nowhere.plc")]).failed(2, &["nowhere.plc"]);
 }
+
+#[test]
+fn a_listing_of_an_older_image_is_not_taken_for_current() {
+    let lathe = Lathe::copy();
+    let folder = lathe.folder().to_string_lossy().into_owned();
+    run(&["build", &folder, "--listing"]).ok();
+    lathe.edit("panel.plc", "TIM  -,50", "TIM  -,51");
+    run(&["build", &folder]).ok();
+    let out = run(&["build", &folder, "--listing"]).ok();
+    assert!(!out.contains("up to date"), "{out}");
+    let listing = std::fs::read_to_string(lathe.path("out/lathe.LS1")).expect("a listing");
+    assert!(listing.contains("TIM  -,51"));
+}
