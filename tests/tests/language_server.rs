@@ -1,36 +1,19 @@
 //! The language server as an editor meets it: the real program as a child process, on the lathe of `examples/`.
 
+#[path = "common/binary.rs"]
+mod binary;
+
 use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+use binary::{root, technol};
+
 /// Longer than anything here takes on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_path_buf()
-}
-
-/// The program: `TECHNOL_BIN`, or what `cargo build -p technol` makes.
-fn technol() -> &'static Path {
-    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        if let Some(program) = std::env::var_os("TECHNOL_BIN") {
-            return PathBuf::from(program);
-        }
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let status = Command::new(cargo).args(["build", "--package", "technol"]).current_dir(root()).status();
-        assert!(status.expect("cargo runs").success(), "`cargo build -p technol` failed");
-        let metadata = cargo_metadata::MetadataCommand::new().no_deps().current_dir(root()).exec();
-        let target = metadata.expect("cargo metadata").target_directory;
-        target.join("debug").join(format!("technol{}", std::env::consts::EXE_SUFFIX)).into()
-    })
-}
 
 /// A running server.
 struct Server {

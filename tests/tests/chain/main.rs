@@ -1,6 +1,6 @@
 //! From source text to what the program does: the real front end, the real build, the real virtual machine.
 
-#[path = "../shared/frame.rs"]
+#[path = "../common/frame.rs"]
 mod frame;
 
 mod arithmetic;

@@ -1,10 +1,10 @@
 //! The command line as scripts meet it: exit codes, output formats, what is said when something is wrong.
 
-#[path = "../shared/binary.rs"]
+#[path = "../common/binary.rs"]
 mod binary;
-#[path = "../shared/frame.rs"]
+#[path = "../common/frame.rs"]
 mod frame;
-#[path = "../shared/lathe.rs"]
+#[path = "../common/lathe.rs"]
 mod lathe;
 
 mod build;

@@ -1,11 +1,11 @@
 //! Debug sessions through the real program: `technol dap` as a child process, targets in its own process, at a TCP
 //! port and at the end of a serial line.
 
-#[path = "../shared/binary.rs"]
+#[path = "../common/binary.rs"]
 mod binary;
-#[path = "../shared/frame.rs"]
+#[path = "../common/frame.rs"]
 mod frame;
-#[path = "../shared/lathe.rs"]
+#[path = "../common/lathe.rs"]
 mod lathe;
 
 mod attach;
