@@ -42,14 +42,14 @@ pub(crate) fn demo(arguments: &DemoArguments) -> Outcome {
     })?;
     let show = Show::new(Paint::stdout());
     show.title("technol: edit, check, build, run, break, step, watch");
-    check(&folder, show)?;
-    build(&folder, show)?;
+    let project = check(&folder, show)?;
+    build(&project, show)?;
     debug(&folder, show)?;
     show.next();
     Ok(exit::OK)
 }
 
-fn check(folder: &Path, show: Show) -> Result<(), Failure> {
+fn check(folder: &Path, show: Show) -> Result<Project, Failure> {
     show.step("Check the project", "technol check examples/lathe");
     let start = Instant::now();
     let project = Project::open(folder)?;
@@ -64,14 +64,13 @@ fn check(folder: &Path, show: Show) -> Result<(), Failure> {
     }
     let lines: usize = project.loaded.files.iter().map(|f| f.text.lines().count()).sum();
     show.fact(&format!("{lines} lines in {} files, no errors", project.loaded.files.len()), took);
-    Ok(())
+    Ok(project)
 }
 
-fn build(folder: &Path, show: Show) -> Result<(), Failure> {
+fn build(project: &Project, show: Show) -> Result<(), Failure> {
     show.step("Build it", "technol build examples/lathe --listing");
     let start = Instant::now();
-    let project = Project::open(folder)?;
-    let built = crate::build::image(&project)?;
+    let built = crate::build::image(project)?;
     let bytes = technol_image::container::encode_program(&built.image.program).len();
     let hash = crate::build::hex(&built.hash[..4]);
     let program = &built.image.program;
@@ -96,7 +95,7 @@ fn find(folder: &Path, file: &str, text: &str) -> Result<Stop, Failure> {
     let path = folder.join(file);
     let source =
         std::fs::read_to_string(&path).map_err(|e| Failure::usage(format!("{}: {e}", path.display())))?;
-    match source.lines().position(|line| line.trim() == text || line.trim().starts_with(text)) {
+    match source.lines().position(|line| line.trim().starts_with(text)) {
         Some(n) => Ok(Stop { path, line: n as u32 + 1 }),
         None => Err(Failure::usage(format!("{} does not contain `{text}`", path.display()))),
     }

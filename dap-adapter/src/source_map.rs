@@ -216,11 +216,6 @@ fn module_kind(program: &Program, pc: Pc) -> Option<ModuleKind> {
     module_of(program, pc).map(|n| program.modules[usize::from(n)].kind)
 }
 
-/// The module kind behind its index on the wire.
-pub(crate) fn module_from_index(index: u8) -> Option<ModuleKind> {
-    ModuleKind::from_number(index)
-}
-
 /// Without `.` and `..`, on paper only.
 pub(crate) fn plain(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
@@ -253,9 +248,9 @@ mod tests {
     #[test]
     fn module_kinds_have_the_indices_of_the_wire() {
         for index in 0..10 {
-            assert_eq!(module_from_index(index).map(|kind| kind as u8), Some(index));
+            assert_eq!(ModuleKind::from_number(index).map(|kind| kind as u8), Some(index));
         }
-        assert_eq!(module_from_index(10), None);
+        assert_eq!(ModuleKind::from_number(10), None);
     }
 
     #[test]

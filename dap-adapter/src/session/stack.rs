@@ -8,13 +8,12 @@ use dap::types::{
 };
 
 use technol_image::op::Pc;
-use technol_image::program::SequenceKind;
+use technol_image::program::{ModuleKind, SequenceKind};
 use technol_wire::message::{Fault, FaultKind, Frame, Request as Ask, Response, SequenceState};
 
 use crate::errors::RequestError;
 use crate::mechanisms;
 use crate::request::Request;
-use crate::source_map::module_from_index;
 use crate::tree::Node;
 
 use super::{Answer, Debuggee, Session, Stop, body, sources};
@@ -264,7 +263,7 @@ fn frame_name(debuggee: &Debuggee, frame: &Frame) -> String {
 }
 
 fn module_name(index: u8) -> String {
-    module_from_index(index).map_or("module", |kind| kind.keyword()).to_owned()
+    ModuleKind::from_number(index).map_or("module", |kind| kind.keyword()).to_owned()
 }
 
 /// File and 1-based line.
