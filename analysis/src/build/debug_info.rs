@@ -47,7 +47,7 @@ pub fn system_symbol(symbol: &SystemSymbol) -> Option<Symbol> {
         }
         SystemKind::Area { addr, len } => SymbolKind::Area { addr, len },
         SystemKind::Constant(value) => SymbolKind::Constant { value },
-        SystemKind::FormalBit { .. } => return None,
+        SystemKind::FormalBit { .. } | SystemKind::Member { .. } => return None,
     };
     Some(Symbol { name: symbol.name.to_owned(), scope: Scope::System, kind, declared: None })
 }

@@ -94,7 +94,7 @@ pub enum OperandKind {
         /// A leading `-` negates.
         negatable: bool,
     },
-    /// A memory address, typed or not, with offset: MV, CLEAR.
+    /// Memory handed by reference: a cell, an array, an area or a text buffer, with optional offset (`+n`, `[BX]`).
     Address(Access),
     /// A counter of TM, TIM, TEX: a BYTE or WORD cell, or `-`/`NIL` for an automatic one.
     AutoCounter,
@@ -137,8 +137,54 @@ pub enum OperandKind {
     TextOrLiteral,
     /// A literal in apostrophes, or an address (STR's second operand).
     LiteralOrAddress,
-    /// Anything: checked only for well-formedness (instructions whose operand rules are not yet modelled).
+    /// The identifier of an element of the configuration: a literal in apostrophes or the label of a text buffer.
+    Identifier(ConfigElement),
+    /// A new name that the instruction declares together with its memory (MAP_IN, DEF_IN …).
+    Declares(NewCell),
+    /// A cell that DEF_IN or DEF_OUT declared; `name[n]` is one element.
+    DeclaredElement,
+    /// The first of these that fits.
+    OneOf(&'static [OperandKind]),
+    /// Anything: checked only for well-formedness (operands of 80386 instructions).
     Any,
+}
+
+/// What an identifier names in the configuration files of the project.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ConfigElement {
+    /// `Input` of a ChannelConfig (MAP_IN).
+    Input,
+    /// `Output` of a ChannelConfig (MAP_OUT).
+    Output,
+    /// `AnalogInput` of a ChannelConfig (MAP_AIN).
+    AnalogInput,
+    /// `AnalogOutput` of a ChannelConfig (MAP_AOUT).
+    AnalogOutput,
+    /// The destination of a `Connection`, without `PLC.Input.` (DEF_IN).
+    LogicalInput,
+    /// The source of a `Connection`, without `PLC.Output.` (DEF_OUT).
+    LogicalOutput,
+    /// `PlcParam` of a ChannelConfig (CNF_GET_…).
+    Parameter,
+    /// A constant of a PlcConstants file (CONST_GET).
+    Constant,
+    /// A PLC table, with or without its extension (PLCT_…).
+    Table,
+    /// A column of a PLC table by its identifier (PLCT_…).
+    Column,
+    /// The name under which a cell is shared with the control's screens (SHARE_VAR, SHARE_BIT).
+    Shared,
+}
+
+/// Memory that an instruction declares for its operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum NewCell {
+    /// One bit (MAP_IN, MAP_OUT).
+    Bit,
+    /// A REAL cell of 8 bytes (MAP_AIN, MAP_AOUT).
+    Real,
+    /// A cell of the type that the third operand names; `name[n]` declares n elements (DEF_IN, DEF_OUT).
+    Typed,
 }
 
 /// One operand.
@@ -220,6 +266,8 @@ pub enum Place {
     MechanismHost,
     /// In MODULE_INIT (EDEF …).
     Init,
+    /// In MODULE_INIT or a procedure called from it (MAP_IN …).
+    InitOrProcedure,
     /// In any module (STR).
     AnyModule,
 }
@@ -292,6 +340,8 @@ pub struct Entry {
     pub summary: Bilingual,
     /// The help page's body (Markdown paragraphs); empty for entries whose page is not written yet.
     pub description: Bilingual,
+    /// What goes wrong and how the program learns of it (RLO, DR, a fault); empty when nothing can.
+    pub errors: Bilingual,
     /// Examples.
     pub examples: &'static [Example],
     /// Related entries.

@@ -44,8 +44,8 @@ mod pattern;
 mod tests;
 
 pub use entry::{
-    Access, Bilingual, Effect, Entry, EntryKind, Equation, Example, Form, OperandKind, OperandSpec, Place,
-    Prefix, PrefixSet, TimeUnit,
+    Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
+    OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{Direction, SystemKind, SystemSymbol, symbol, symbols};
 

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use super::Language;
 use super::entry::{
-    Access, Effect, Entry, EntryKind, Equation, OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
+    Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, NewCell, OperandKind, OperandSpec,
+    Place, Prefix, PrefixSet, TimeUnit,
 };
 use super::pattern::text;
 use super::symbol::{Direction, SystemKind, SystemSymbol};
@@ -31,6 +32,10 @@ pub fn markdown(entry: &Entry, language: Language) -> String {
     let description = entry.description.in_language(language);
     if !description.is_empty() {
         let _ = write!(page, "\n{description}\n");
+    }
+    let errors = entry.errors.in_language(language);
+    if !errors.is_empty() {
+        let _ = write!(page, "\n**{}** {errors}\n", say("Errors.", "Chyby."));
     }
     if !entry.examples.is_empty() {
         let title = if entry.examples.len() == 1 {
@@ -63,10 +68,18 @@ pub fn symbol_markdown(symbol: &SystemSymbol, language: Language) -> String {
         SystemKind::Cell { prefix, .. } => type_name(prefix).to_owned(),
         SystemKind::Array { element, len, .. } => format!("{len} × {}", type_name(element)),
         SystemKind::Area { len, .. } => format!("{len} {}", say("bytes", "bajtů")),
+        SystemKind::Member { offset, element, len } => {
+            let kind = if len == 1 {
+                type_name(element).to_owned()
+            } else {
+                format!("{len} × {}", type_name(element))
+            };
+            format!("{kind}, {} +{offset}", say("member of a structure at", "položka struktury na"))
+        }
         SystemKind::Constant(value) => format!("{} {value}", say("constant", "konstanta")),
     };
     let direction = match (symbol.kind, symbol.direction) {
-        (SystemKind::Constant(_), _) => "",
+        (SystemKind::Constant(_) | SystemKind::Member { .. }, _) => "",
         (_, Direction::CncToPlc) => say("\n- From the control to the program", "\n- Ze systému do programu"),
         (_, Direction::PlcToCnc) => say("\n- From the program to the control", "\n- Z programu do systému"),
         (_, Direction::Both) => {
@@ -143,7 +156,48 @@ fn kind_of(kind: OperandKind, language: Language) -> String {
         OperandKind::Text(access) => format!("{}, {}", say("text", "text"), access_name(access, language)),
         OperandKind::TextOrLiteral => say("text or literal", "text nebo řetězec").to_owned(),
         OperandKind::LiteralOrAddress => say("literal or address", "řetězec nebo adresa").to_owned(),
+        OperandKind::Identifier(element) => {
+            format!(
+                "{} {}",
+                say("identifier of", "identifikátor:"),
+                element_name(element).in_language(language)
+            )
+        }
+        OperandKind::Declares(cell) => {
+            let kind = match cell {
+                NewCell::Bit => say("a new bit", "nový bit"),
+                NewCell::Real => say("a new REAL cell", "nová buňka REAL"),
+                NewCell::Typed => {
+                    say("a new bit or cell, `name[n]` an array", "nový bit nebo buňka, `jméno[n]` pole")
+                }
+            };
+            kind.to_owned()
+        }
+        OperandKind::DeclaredElement => {
+            say("a cell of DEF_IN, `name[n]` one element", "buňka z DEF_IN, `jméno[n]` jeden prvek")
+                .to_owned()
+        }
+        OperandKind::OneOf(kinds) => {
+            let kinds: Vec<String> = kinds.iter().map(|kind| kind_of(*kind, language)).collect();
+            kinds.join(say(" or ", " nebo "))
+        }
         OperandKind::Any => say("any", "cokoli").to_owned(),
+    }
+}
+
+fn element_name(element: ConfigElement) -> Bilingual {
+    match element {
+        ConfigElement::Input => text("an Input", "Input"),
+        ConfigElement::Output => text("an Output", "Output"),
+        ConfigElement::AnalogInput => text("an AnalogInput", "AnalogInput"),
+        ConfigElement::AnalogOutput => text("an AnalogOutput", "AnalogOutput"),
+        ConfigElement::LogicalInput => text("a logical input", "logický vstup"),
+        ConfigElement::LogicalOutput => text("a logical output", "logický výstup"),
+        ConfigElement::Parameter => text("a PlcParam", "PlcParam"),
+        ConfigElement::Constant => text("a PLC constant", "PLC konstanta"),
+        ConfigElement::Table => text("a PLC table", "PLC tabulka"),
+        ConfigElement::Column => text("a column of a PLC table", "sloupec PLC tabulky"),
+        ConfigElement::Shared => text("a shared value", "sdílená hodnota"),
     }
 }
 
@@ -220,6 +274,10 @@ const fn place_name(place: Place, language: Language) -> &'static str {
             "V MODULE_MAIN nebo MODULE_FAST, s varováním v MODULE_CONT",
         ),
         Place::Init => text("In MODULE_INIT", "V MODULE_INIT"),
+        Place::InitOrProcedure => text(
+            "In MODULE_INIT or a procedure called from it",
+            "V MODULE_INIT nebo v proceduře, kterou volá",
+        ),
         Place::AnyModule => text("In any module", "V každém modulu"),
     }
     .in_language(language)

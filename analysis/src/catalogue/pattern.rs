@@ -45,6 +45,7 @@ pub(super) const INSTRUCTION: Entry = Entry {
     executable: true,
     summary: NO_TEXT,
     description: NO_TEXT,
+    errors: NO_TEXT,
     examples: &[],
     related: &[],
 };

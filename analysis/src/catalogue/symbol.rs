@@ -67,6 +67,15 @@ pub enum SystemKind {
         /// Its length in bytes.
         len: u32,
     },
+    /// A member of a structure: a typed offset from a base (`base.MEMBER`); it has no memory of its own.
+    Member {
+        /// Byte offset in the structure.
+        offset: u32,
+        /// Type of an element.
+        element: Prefix,
+        /// Number of elements; 1 for a plain member.
+        len: u32,
+    },
     /// An integer.
     Constant(i64),
 }

@@ -237,7 +237,7 @@ fn no_two_symbols_share_memory_unless_one_is_a_bit_of_the_other() {
                 assert!(bit < 8, "{}", symbol.name);
                 continue;
             }
-            SystemKind::Constant(_) => continue,
+            SystemKind::Member { .. } | SystemKind::Constant(_) => continue,
         };
         assert!(len > 0 && addr + len <= system::LEN, "{}", symbol.name);
         if symbol.name == "OTACKY_VR" {

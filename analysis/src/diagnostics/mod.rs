@@ -77,8 +77,31 @@ pub struct Rule {
     pub severity: Severity,
     /// Code with this mistake cannot be lowered: `[lints]` may not lower the severity.
     pub fixed: bool,
-    /// What it means, why it matters and the remedy: one paragraph of Markdown.
+    /// What it means, and the remedy: one paragraph of Markdown.
     pub explanation: &'static str,
+    /// Why it matters: one paragraph of Markdown.
+    pub why: &'static str,
+    /// A program text with this mistake, see [`rules`] for how it is completed.
+    pub wrong: &'static str,
+    /// The same text as it should be.
+    pub right: &'static str,
+    /// Chapter of the manual, for instance `4.3`; empty for lints that the manual does not mention.
+    pub chapter: &'static str,
+}
+
+impl Rule {
+    /// A rule that says nothing: each rule names what differs.
+    pub const BASE: Rule = Rule {
+        code: "",
+        name: "",
+        severity: Severity::Warning,
+        fixed: false,
+        explanation: "",
+        why: "",
+        wrong: "",
+        right: "",
+        chapter: "",
+    };
 }
 
 impl PartialEq for Rule {

@@ -21,6 +21,20 @@ pub(super) fn kind(symbol: &Symbol, language: Language) -> String {
         SymbolKind::Array { element, len } => format!("{len} × {}", width_name(*element)),
         SymbolKind::Area { len } => format!("{} {len} {}", say("area,", "oblast,"), say("bytes", "bajtů")),
         SymbolKind::Text { len } => format!("{} {len} {}", say("text,", "text,"), say("characters", "znaků")),
+        SymbolKind::Member { offset, element, len: 1 } => {
+            format!(
+                "{} +{offset}, {}",
+                say("member of a structure at", "položka struktury na"),
+                width_name(*element)
+            )
+        }
+        SymbolKind::Member { offset, element, len } => {
+            let place = say("member of a structure at", "položka struktury na");
+            format!("{place} +{offset}, {len} × {}", width_name(*element))
+        }
+        SymbolKind::Structure { len } => {
+            format!("{} {len} {}", say("structure,", "struktura,"), say("bytes", "bajtů"))
+        }
         SymbolKind::Constant(value) => format!("{} {}", say("constant", "konstanta"), number(*value)),
         SymbolKind::Mechanism => say("mechanism", "mechanismus").to_owned(),
         SymbolKind::MechanismLine => say(

@@ -311,7 +311,7 @@ pub const fn system_addr(kind: &SystemKind) -> Option<Addr> {
         | SystemKind::Cell { addr, .. }
         | SystemKind::Array { addr, .. }
         | SystemKind::Area { addr, .. } => Some(addr),
-        SystemKind::FormalBit { .. } | SystemKind::Constant(_) => None,
+        SystemKind::FormalBit { .. } | SystemKind::Member { .. } | SystemKind::Constant(_) => None,
     }
 }
 

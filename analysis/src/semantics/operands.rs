@@ -247,7 +247,11 @@ fn one(
             _ => number(reader, expr, min, max),
         },
         OperandKind::NewName | OperandKind::NewBit => Some(Operand::Skipped),
-        OperandKind::Any => Some(any(reader, expr)),
+        OperandKind::Identifier(_)
+        | OperandKind::Declares(_)
+        | OperandKind::DeclaredElement
+        | OperandKind::OneOf(_)
+        | OperandKind::Any => Some(any(reader, expr)),
     }
 }
 
@@ -390,6 +394,8 @@ pub(super) fn describe(kind: &SymbolKind) -> &'static str {
         SymbolKind::Array { .. } => "an array",
         SymbolKind::Area { .. } => "an area without type",
         SymbolKind::Text { .. } => "a text buffer",
+        SymbolKind::Member { .. } => "a member of a structure",
+        SymbolKind::Structure { .. } => "a structure",
         SymbolKind::Constant(_) => "a constant",
         SymbolKind::Mechanism => "a mechanism",
         SymbolKind::MechanismLine => "the line cell of a mechanism",

@@ -63,6 +63,9 @@ impl Context {
             Place::Main => self.inside(ModuleKind::Main),
             Place::MechanismHost => self.inside(ModuleKind::Main) || self.inside(ModuleKind::Fast),
             Place::Init => self.inside(ModuleKind::Init),
+            Place::InitOrProcedure => {
+                self.inside(ModuleKind::Init) || (self.holds_code() && self.kind == SectionKind::Procedure)
+            }
         };
         if fits {
             return None;
@@ -79,6 +82,9 @@ impl Context {
         let message = match entry.place {
             Place::Data => format!("{} belongs into DATA or DATA_LOCAL", entry.name),
             Place::Init => format!("{} belongs into MODULE_INIT", entry.name),
+            Place::InitOrProcedure => {
+                format!("{} belongs into MODULE_INIT or a procedure called from it", entry.name)
+            }
             Place::Main => format!("{} belongs into MODULE_MAIN", entry.name),
             Place::MechanismHost => format!("{} belongs into MODULE_MAIN or MODULE_FAST", entry.name),
             Place::FileLevel => format!("{} stands between modules", entry.name),

@@ -321,6 +321,9 @@ pub fn system_kind(kind: &SystemKind) -> SymbolKind {
         SystemKind::Cell { prefix, .. } => SymbolKind::Cell(width(*prefix)),
         SystemKind::Array { element, len, .. } => SymbolKind::Array { element: width(*element), len: *len },
         SystemKind::Area { len, .. } => SymbolKind::Area { len: *len },
+        SystemKind::Member { offset, element, len } => {
+            SymbolKind::Member { offset: *offset, element: width(*element), len: *len }
+        }
         SystemKind::Constant(value) => SymbolKind::Constant(*value),
     }
 }
@@ -369,6 +372,6 @@ fn system_address(kind: &SystemKind) -> Option<u32> {
         | SystemKind::Cell { addr, .. }
         | SystemKind::Array { addr, .. }
         | SystemKind::Area { addr, .. } => Some(*addr),
-        SystemKind::FormalBit { .. } | SystemKind::Constant(_) => None,
+        SystemKind::FormalBit { .. } | SystemKind::Member { .. } | SystemKind::Constant(_) => None,
     }
 }

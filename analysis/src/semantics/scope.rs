@@ -45,6 +45,20 @@ pub enum SymbolKind {
         /// Maximum number of characters; one byte more is reserved.
         len: u32,
     },
+    /// A member of a structure (STRUC, or predefined): a typed offset from a base.
+    Member {
+        /// Byte offset in the structure.
+        offset: u32,
+        /// Type of an element.
+        element: Width,
+        /// Number of elements.
+        len: u32,
+    },
+    /// A structure declared by STRUC.
+    Structure {
+        /// Length in bytes.
+        len: u32,
+    },
     /// A constant.
     Constant(i64),
     /// A mechanism; stands for its activation bit, whose number the layout gives.

@@ -10,6 +10,7 @@ pub static NOT_EXECUTABLE: Rule = Rule {
     fixed: true,
     explanation: "The instruction is known to the editor but this version's target cannot run it. `check` accepts \
         it, `build` refuses it.",
+    ..Rule::BASE
 };
 
 /// T0802 too-large.
@@ -20,6 +21,7 @@ pub static TOO_LARGE: Rule = Rule {
     fixed: true,
     explanation: "The program or its data are larger than an image can hold. The message names what is too large; shorten \
         data areas, or leave out what is not needed.",
+    ..Rule::BASE
 };
 
 /// T0803 not-translatable.
@@ -30,4 +32,5 @@ pub static NOT_TRANSLATABLE: Rule = Rule {
     fixed: true,
     explanation: "The line is well formed, but there is no code for it: CLEAR over two data areas, a symbol without \
         memory, a mechanism or procedure that stands in no module.",
+    ..Rule::BASE
 };

@@ -12,6 +12,7 @@ pub static DUPLICATE_NAME: Rule = Rule {
         DATA_LOCAL of one file, or both in DATA and in DATA_LOCAL of a file. A mechanism declares a bit of \
         its name, so a cell and a mechanism cannot share one (manual 3.3, 4.2). Only the first 31 \
         characters count. Rename one of them.",
+    ..Rule::BASE
 };
 
 /// T0202 long-name.
@@ -22,6 +23,7 @@ pub static LONG_NAME: Rule = Rule {
     fixed: false,
     explanation: "Only the first 31 characters of a name are significant (manual 3.3): two names that differ later \
         are one name. Shorten it.",
+    ..Rule::BASE
 };
 
 /// T0203 name-like-instruction.
@@ -32,6 +34,7 @@ pub static NAME_LIKE_INSTRUCTION: Rule = Rule {
     fixed: false,
     explanation: "The name is also an instruction or keyword. It is read as a name where the place leaves no doubt, \
         but it confuses readers and other tools. Rename it.",
+    ..Rule::BASE
 };
 
 /// T0204 conflicting-constant.
@@ -42,6 +45,7 @@ pub static CONFLICTING_CONSTANT: Rule = Rule {
     fixed: true,
     explanation: "EQUI gives one name two different values; constants are known in the whole project. Remove one or \
         rename it.",
+    ..Rule::BASE
 };
 
 /// T0205 not-constant.
@@ -52,6 +56,7 @@ pub static NOT_CONSTANT: Rule = Rule {
     fixed: true,
     explanation: "A constant is needed here: a number, a character, the name of an EQUI constant, or a sum of those \
         (manual 3.4). A number with a decimal point is no integer constant.",
+    ..Rule::BASE
 };
 
 /// T0206 circular-constant.
@@ -61,6 +66,7 @@ pub static CIRCULAR_CONSTANT: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The value of an EQUI constant depends on itself. Break the circle with a number.",
+    ..Rule::BASE
 };
 
 /// T0207 too-many-bits.
@@ -71,6 +77,7 @@ pub static TOO_MANY_BITS: Rule = Rule {
     fixed: true,
     explanation: "One DFM declares one byte with at most 8 bits, d0 first (manual 3.4). Put the further bits into \
         another DFM.",
+    ..Rule::BASE
 };
 
 /// T0208 bad-length.
@@ -81,6 +88,7 @@ pub static BAD_LENGTH: Rule = Rule {
     fixed: true,
     explanation: "The length of DS or STR must be a positive constant: `DS 1`, `DS 2` and `DS 4` declare a BYTE, \
         WORD or DWORD, other lengths an area without type (manual 3.4).",
+    ..Rule::BASE
 };
 
 /// T0209 text-too-long.
@@ -90,6 +98,7 @@ pub static TEXT_TOO_LONG: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The initial text is longer than its STR (manual 3.18). Declare a larger one or shorten the text.",
+    ..Rule::BASE
 };
 
 /// T0210 missing-name.
@@ -100,6 +109,7 @@ pub static MISSING_NAME: Rule = Rule {
     fixed: false,
     explanation: "Memory is reserved without a name, so nothing can use it. Put `NAME:` before DS or STR, or delete \
         the line.",
+    ..Rule::BASE
 };
 
 /// T0211 bad-declaration.
@@ -109,6 +119,7 @@ pub static BAD_DECLARATION: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The declaration does not have the form its instruction needs; the message shows it.",
+    ..Rule::BASE
 };
 
 /// T0212 hides-system-symbol.
@@ -119,4 +130,5 @@ pub static HIDES_SYSTEM_SYMBOL: Rule = Rule {
     fixed: false,
     explanation: "The name is also a predefined cell or bit of the control. The declaration hides it, so the program \
         reads and writes its own memory instead. Rename it unless this is meant.",
+    ..Rule::BASE
 };

@@ -10,6 +10,7 @@ pub static POP_WITHOUT_PUSH: Rule = Rule {
     fixed: true,
     explanation: "LA, LO or LX without operand combines RLO with the value that a second LDR pushed, but nothing is \
         on the stack (manual 3.6). Give it an operand, or begin the part with LDR.",
+    ..Rule::BASE
 };
 
 /// T0502 value-left-on-stack.
@@ -22,6 +23,7 @@ pub static VALUE_LEFT_ON_STACK: Rule = Rule {
         module, mechanism or procedure, or before CHECK (manual 3.6). Either LA, LO or LX without operand \
         is missing, or the equation before the LDR was not closed by a terminal instruction (WR, FL1, JL0, \
         JL1, STO1, EX0 …).",
+    ..Rule::BASE
 };
 
 /// T0503 stack-too-deep.
@@ -31,6 +33,7 @@ pub static STACK_TOO_DEEP: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The equation stack has 8 cells (manual 3.2). Store a partial result in a bit.",
+    ..Rule::BASE
 };
 
 /// T0504 lost-equation.
@@ -41,6 +44,7 @@ pub static LOST_EQUATION: Rule = Rule {
     fixed: false,
     explanation: "The instruction overwrites RLO while an equation is open and does not use its result, so the \
         equation has no effect. Close it with a terminal instruction first, or remove it.",
+    ..Rule::BASE
 };
 
 /// T0505 open-equation.
@@ -51,4 +55,5 @@ pub static OPEN_EQUATION: Rule = Rule {
     fixed: false,
     explanation: "The section ends while an equation is open: its result goes nowhere. Close it with a terminal \
         instruction such as WR or FL1 (manual 3.6).",
+    ..Rule::BASE
 };

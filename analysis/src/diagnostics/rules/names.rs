@@ -10,6 +10,7 @@ pub static UNKNOWN_SYMBOL: Rule = Rule {
     fixed: true,
     explanation: "The name is not declared: not in DATA of any file, not in DATA_LOCAL of this file, and it is not \
         predefined. The message offers the nearest name. Declare it with DFM, DS or EQUI (manual 3.4).",
+    ..Rule::BASE
 };
 
 /// T0302 unknown-label.
@@ -20,6 +21,7 @@ pub static UNKNOWN_LABEL: Rule = Rule {
     fixed: true,
     explanation: "The jump leads to a label that does not stand in the same module, mechanism or procedure. Jumps do \
         not cross their borders. Put `NAME:` before the target.",
+    ..Rule::BASE
 };
 
 /// T0303 duplicate-label.
@@ -30,6 +32,7 @@ pub static DUPLICATE_LABEL: Rule = Rule {
     fixed: true,
     explanation: "A label stands twice in one module, mechanism or procedure, so a jump to it is ambiguous. Rename \
         one.",
+    ..Rule::BASE
 };
 
 /// T0304 wrong-symbol.
@@ -40,4 +43,5 @@ pub static WRONG_SYMBOL: Rule = Rule {
     fixed: true,
     explanation: "The name is declared as something else than this operand needs, for instance a cell where a bit \
         belongs.",
+    ..Rule::BASE
 };

@@ -10,6 +10,7 @@ pub static WAIT_OUTSIDE_SEQUENCE: Rule = Rule {
     fixed: true,
     explanation: "EX, EX0, EX1, BEX, TEX0, TEX1 and TIM hold a sequence; they may stand only in a mechanism or \
         directly in MODULE_BLOCK_INIT and MODULE_BLOCK_DONE, not in a procedure (manual 4.3).",
+    ..Rule::BASE
 };
 
 /// T0702 endless-loop.
@@ -21,6 +22,7 @@ pub static ENDLESS_LOOP: Rule = Rule {
     explanation: "The loop has no way out and no EX, EX0, EX1, TEX0, TEX1 or TIM in which it would wait, so the \
         cycle never ends and the watchdog stops the PLC (manual 4.3). BEX does not wait. Put an EX-type \
         instruction into the loop.",
+    ..Rule::BASE
 };
 
 /// T0703 busy-loop.
@@ -31,6 +33,7 @@ pub static BUSY_LOOP: Rule = Rule {
     fixed: false,
     explanation: "The loop waits for a condition without an EX-type instruction: while it turns, nothing else in the \
         PLC runs, so the condition usually cannot change. Use EX0 or EX1 to wait (manual 4.3).",
+    ..Rule::BASE
 };
 
 /// T0704 recursion.
@@ -41,6 +44,7 @@ pub static RECURSION: Rule = Rule {
     fixed: true,
     explanation: "A procedure calls itself, directly or through others. Procedures have no stack of their own, so a \
         call inside itself never returns properly.",
+    ..Rule::BASE
 };
 
 /// T0705 raster-end.
@@ -51,6 +55,7 @@ pub static RASTER_END: Rule = Rule {
     fixed: true,
     explanation: "The end label of a DFTM block stands after it in the same module, mechanism or procedure (manual \
         3.11).",
+    ..Rule::BASE
 };
 
 /// T0706 nested-raster.
@@ -61,6 +66,7 @@ pub static NESTED_RASTER: Rule = Rule {
     fixed: true,
     explanation: "DFTM blocks do not stand inside each other: the inner one would be reached only now and then. End \
         the first block before the second begins.",
+    ..Rule::BASE
 };
 
 /// T0707 timer-outside-raster.
@@ -71,4 +77,5 @@ pub static TIMER_OUTSIDE_RASTER: Rule = Rule {
     fixed: false,
     explanation: "TM counts passes of the DFTM block around it (manual 3.11). Without such a block it counts passes of \
         its module, 20 ms or 1 ms each, which is seldom meant. Put it into a DFTM01, DFTM1, DFTM10 or DFTM100 block.",
+    ..Rule::BASE
 };

@@ -11,6 +11,7 @@ pub static MISSING_MODULE: Rule = Rule {
     explanation: "A module is mandatory: in the main file DATA, MODULE_INPUT, MODULE_BLOCK_INIT, MODULE_BLOCK_DONE, \
         MODULE_MAIN, MODULE_INIT, MODULE_CLEAR and MODULE_HALT, in further files DATA and MODULE_MAIN \
         (manual 5.4). It may be empty.",
+    ..Rule::BASE
 };
 
 /// T0602 forbidden-module.
@@ -21,6 +22,7 @@ pub static FORBIDDEN_MODULE: Rule = Rule {
     fixed: true,
     explanation: "MODULE_INPUT, MODULE_BLOCK_INIT, MODULE_BLOCK_DONE, MODULE_HALT and MODULE_CONT stand in the main \
         file only (manual 5.2). Move its code there.",
+    ..Rule::BASE
 };
 
 /// T0603 repeated-module.
@@ -30,6 +32,7 @@ pub static REPEATED_MODULE: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "A module stands once in a file; only DATA_LOCAL may be repeated (manual 5.2). Join the two.",
+    ..Rule::BASE
 };
 
 /// T0604 data-not-first.
@@ -40,6 +43,7 @@ pub static DATA_NOT_FIRST: Rule = Rule {
     fixed: true,
     explanation: "DATA is the first module of every file; only comments, T_INCLUDE, macros, EQUI and DEBUG may stand \
         before it (manual 5.1).",
+    ..Rule::BASE
 };
 
 /// T0605 stop-misplaced.
@@ -50,6 +54,7 @@ pub static STOP_MISPLACED: Rule = Rule {
     fixed: true,
     explanation: "The main file ends with STOP after its last module (manual 5.1); nothing but comments may follow \
         it.",
+    ..Rule::BASE
 };
 
 /// T0606 unclosed-block.
@@ -60,6 +65,7 @@ pub static UNCLOSED_BLOCK: Rule = Rule {
     fixed: true,
     explanation: "A module, mechanism, procedure or data block has no closing line. It is taken to end where the \
         next one begins.",
+    ..Rule::BASE
 };
 
 /// T0607 unexpected-end.
@@ -70,6 +76,7 @@ pub static UNEXPECTED_END: Rule = Rule {
     fixed: true,
     explanation: "A closing line has no opening line of its kind, or names another mechanism or procedure than the \
         one that is open.",
+    ..Rule::BASE
 };
 
 /// T0608 wrong-place.
@@ -80,6 +87,7 @@ pub static WRONG_PLACE: Rule = Rule {
     fixed: true,
     explanation: "The instruction cannot stand here: code belongs into modules, DFM and DS into DATA or DATA_LOCAL, \
         PROC_BEGIN into MODULE_MAIN, MECH_BEGIN into MODULE_MAIN or MODULE_FAST (manual 5.2).",
+    ..Rule::BASE
 };
 
 /// T0609 nested-block.
@@ -90,4 +98,5 @@ pub static NESTED_BLOCK: Rule = Rule {
     fixed: true,
     explanation: "Modules, mechanisms and procedures do not stand inside each other, except mechanisms and \
         procedures in their module (manual 4.2, 5.2). Often the closing line of the outer one is missing.",
+    ..Rule::BASE
 };

@@ -10,6 +10,7 @@ pub static UNEXPECTED_CHARACTER: Rule = Rule {
     fixed: true,
     explanation: "The character has no meaning at this place. A line is `[label:] [operation [operand {, operand}]] \
         [;comment]` (manual 3.1).",
+    ..Rule::BASE
 };
 
 /// T0102 typographic-quote.
@@ -20,6 +21,7 @@ pub static TYPOGRAPHIC_QUOTE: Rule = Rule {
     fixed: true,
     explanation: "Texts stand in apostrophes `'…'`. Quotes that a word processor put in their place are not read. \
         The fix replaces them.",
+    ..Rule::BASE
 };
 
 /// T0103 unclosed-text.
@@ -30,6 +32,7 @@ pub static UNCLOSED_TEXT: Rule = Rule {
     fixed: true,
     explanation: "A text begins with an apostrophe and never ends on its line. Close it; an apostrophe inside a text \
         is written twice.",
+    ..Rule::BASE
 };
 
 /// T0104 bad-number.
@@ -40,6 +43,7 @@ pub static BAD_NUMBER: Rule = Rule {
     fixed: true,
     explanation: "The number cannot be read. Forms: `123`, `0F8h` (a hexadecimal number begins with a digit), \
         `0001b`, `'A'`, and with a decimal point `1.5` (manual 3.4).",
+    ..Rule::BASE
 };
 
 /// T0105 unbalanced-bracket.
@@ -50,6 +54,7 @@ pub static UNBALANCED_BRACKET: Rule = Rule {
     fixed: true,
     explanation: "A bracket has no partner. Expressions are written `(name+n)`, indexed cells `name[BX]` (manual \
         3.5).",
+    ..Rule::BASE
 };
 
 /// T0106 expected-operand.
@@ -59,6 +64,7 @@ pub static EXPECTED_OPERAND: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "Something is missing where an operand must stand, for instance after a sign or an opening bracket.",
+    ..Rule::BASE
 };
 
 /// T0107 expected-comma.
@@ -68,6 +74,7 @@ pub static EXPECTED_COMMA: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "Operands are separated by commas; a blank between two of them is not enough (manual 3.1).",
+    ..Rule::BASE
 };
 
 /// T0108 expected-operation.
@@ -77,6 +84,7 @@ pub static EXPECTED_OPERATION: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "A line begins with a label and its colon, an instruction, or a comment after `;`.",
+    ..Rule::BASE
 };
 
 /// T0109 expected-colon.
@@ -86,6 +94,7 @@ pub static EXPECTED_COLON: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "A name before DFM, DS or STR ends with a colon (manual 3.3). The fix adds it.",
+    ..Rule::BASE
 };
 
 /// T0110 too-complex.
@@ -96,6 +105,7 @@ pub static TOO_COMPLEX: Rule = Rule {
     fixed: true,
     explanation: "The operand has more operators and brackets than any program needs. Give a part of it a name with \
         EQUI.",
+    ..Rule::BASE
 };
 
 /// T0111 unknown-instruction.
@@ -106,6 +116,7 @@ pub static UNKNOWN_INSTRUCTION: Rule = Rule {
     fixed: true,
     explanation: "The word is neither an instruction nor a macro of this project. The message offers the nearest \
         instruction; a label needs a colon.",
+    ..Rule::BASE
 };
 
 /// T0112 misspelled-prefix.
@@ -115,4 +126,5 @@ pub static MISSPELLED_PREFIX: Rule = Rule {
     severity: Severity::Warning,
     fixed: false,
     explanation: "`CNTS.` is a common misspelling of `CNST.`. It is read as `CNST.`; the fix corrects it.",
+    ..Rule::BASE
 };

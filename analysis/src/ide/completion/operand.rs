@@ -78,6 +78,15 @@ fn spec(operand: &Operand) -> Option<OperandKind> {
 fn words(kind: OperandKind) -> (PrefixSet, &'static [&'static str]) {
     match kind {
         OperandKind::Data { prefixes, .. } => (prefixes, &[]),
+        OperandKind::OneOf(kinds) => {
+            let mut all = (PrefixSet::NONE, &[] as &'static [&'static str]);
+            for (prefixes, words) in kinds.iter().map(|kind| words(*kind)) {
+                all.0 = PrefixSet(all.0.0 | prefixes.0);
+                // An operand has at most one list of keywords.
+                all.1 = if words.is_empty() { all.1 } else { words };
+            }
+            all
+        }
         OperandKind::AutoCounter => (PrefixSet::NONE, &["NIL"]),
         OperandKind::Keyword(words) | OperandKind::KeywordOrNumber(words, ..) => (PrefixSet::NONE, words),
         OperandKind::Any => (PrefixSet::ALL, &[]),
@@ -110,12 +119,18 @@ fn fit(operand: OperandKind, symbol: &SymbolKind) -> Option<u8> {
         OperandKind::Text(_) | OperandKind::TextOrLiteral => {
             fits(matches!(symbol, SymbolKind::Text { .. }), 0)
         }
+        OperandKind::Identifier(_) => fits(matches!(symbol, SymbolKind::Text { .. }), 1),
+        OperandKind::DeclaredElement => {
+            fits(is_memory(symbol) || matches!(symbol, SymbolKind::Bit { .. }), 1)
+        }
+        OperandKind::OneOf(kinds) => kinds.iter().filter_map(|kind| fit(*kind, symbol)).min(),
         OperandKind::Any => fits(!matches!(symbol, SymbolKind::Macro | SymbolKind::Unknown), 0),
         OperandKind::Label
         | OperandKind::Mechanism { declares: true }
         | OperandKind::Procedure { declares: true }
         | OperandKind::NewName
         | OperandKind::NewBit
+        | OperandKind::Declares(_)
         | OperandKind::Keyword(_) => None,
     }
 }
@@ -205,6 +220,8 @@ fn candidate(symbol: &Symbol, name: String, detail: String) -> Candidate {
         }
         SymbolKind::Area { .. } => CompletionKind::Area,
         SymbolKind::Text { .. } => CompletionKind::Text,
+        SymbolKind::Member { .. } => CompletionKind::Cell,
+        SymbolKind::Structure { .. } => CompletionKind::Area,
         SymbolKind::Constant(_) => CompletionKind::Constant,
         SymbolKind::Mechanism => CompletionKind::Mechanism,
         SymbolKind::Procedure => CompletionKind::Procedure,
