@@ -9,14 +9,20 @@ use super::entry::{Bilingual, Prefix};
 use super::look_up;
 
 mod axes;
+mod cutting;
+mod defaults;
+mod ethercat;
 mod interface;
 mod jog;
 mod motion;
+mod panels;
 mod peripherals;
 mod ports;
+mod serial;
 mod space;
 mod spindle;
 mod state;
+mod tables;
 
 /// Who writes a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +97,8 @@ pub struct SystemSymbol {
     pub kind: SystemKind,
     /// Who writes it.
     pub direction: Direction,
+    /// Its value at power-on where the manual tells one; `None` otherwise (memory then starts as 0).
+    pub default: Option<i64>,
     /// What it means.
     pub summary: Bilingual,
     /// Manual chapter.
@@ -112,6 +120,12 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     }
     for rows in [motion::ROWS, spindle::ROWS, jog::ROWS, peripherals::ROWS, state::ROWS] {
         space.rows(rows, &mut symbols);
+    }
+    for rows in [panels::ROWS, ethercat::ROWS, tables::ROWS, cutting::ROWS, serial::ROWS] {
+        space.rows(rows, &mut symbols);
+    }
+    for symbol in &mut symbols {
+        symbol.default = symbol.default.or_else(|| defaults::of(symbol.name));
     }
     let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
     Table { symbols, by_name }

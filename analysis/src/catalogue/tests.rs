@@ -240,8 +240,9 @@ fn no_two_symbols_share_memory_unless_one_is_a_bit_of_the_other() {
             SystemKind::Member { .. } | SystemKind::Constant(_) => continue,
         };
         assert!(len > 0 && addr + len <= system::LEN, "{}", symbol.name);
-        if symbol.name == "OTACKY_VR" {
-            continue; // another name of SIM_SPEED_PT
+        // Other names of SIM_SPEED_PT and NlcAxisEnable.
+        if matches!(symbol.name, "OTACKY_VR" | "NELKOR_FLAG") {
+            continue;
         }
         for byte in addr..addr + len {
             let other = owners.insert(byte, symbol.name);

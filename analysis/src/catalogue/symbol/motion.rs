@@ -262,6 +262,13 @@ pub(super) const ROWS: &[Row] = &[
         ),
     ),
     (
+        "NELKOR_FLAG",
+        Shape::Alias,
+        PlcToCnc,
+        "23.2",
+        text("Another name of NlcAxisEnable.", "Jiný název buňky NlcAxisEnable."),
+    ),
+    (
         "NlcServoEnable",
         WORD,
         PlcToCnc,

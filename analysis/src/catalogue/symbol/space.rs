@@ -24,6 +24,9 @@ pub(super) enum Shape {
     BitOf(u8),
     /// A position without a cell.
     Formal(u8),
+    /// A member of a structure: offset in bytes, type and number of its elements. It takes no memory; what has
+    /// the structure is an `Area`.
+    Member(u32, Prefix, u32),
     /// A number.
     Constant(i64),
 }
@@ -50,6 +53,8 @@ pub(super) struct AxisBits {
     pub(super) direction: Direction,
     /// Manual chapter.
     pub(super) chapter: &'static str,
+    /// Value of every bit at power-on, where the manual tells it.
+    pub(super) default: Option<bool>,
     /// What the bit means; the axis is added.
     pub(super) summary: Bilingual,
 }
@@ -84,6 +89,7 @@ impl Space {
                 Shape::Alias => last,
                 Shape::BitOf(bit) => SystemKind::Bit { addr: cell, bit },
                 Shape::Formal(bit) => SystemKind::FormalBit { bit },
+                Shape::Member(offset, element, len) => SystemKind::Member { offset, element, len },
                 Shape::Constant(value) => SystemKind::Constant(value),
             };
             if let SystemKind::Cell { addr, .. } = kind {
@@ -114,7 +120,7 @@ impl Space {
             let (base, place) =
                 if index < FIRST_AXES { (first, index) } else { (others, index - FIRST_AXES) };
             let axis = axis_name(index);
-            symbols.push(symbol(
+            let bit = symbol(
                 generated(format!("{}{axis}{}", family.before, family.after)),
                 SystemKind::Bit { addr: base + place / 8, bit: (place % 8) as u8 },
                 family.direction,
@@ -123,7 +129,8 @@ impl Space {
                     en: generated(format!("{}: axis {axis}.", family.summary.en)),
                     cs: generated(format!("{}: osa {axis}.", family.summary.cs)),
                 },
-            ));
+            );
+            symbols.push(SystemSymbol { default: family.default.map(i64::from), ..bit });
         }
     }
 
@@ -157,7 +164,7 @@ pub(super) fn symbol(
     } else {
         spelling
     };
-    SystemSymbol { name, spelling, kind, direction, summary, chapter }
+    SystemSymbol { name, spelling, kind, direction, default: None, summary, chapter }
 }
 
 /// X, Y, Z, then the number of the axis.
