@@ -11,17 +11,22 @@ use super::look_up;
 mod axes;
 mod cutting;
 mod defaults;
+mod drives;
 mod ethercat;
 mod interface;
 mod jog;
+mod manual;
 mod motion;
 mod panels;
 mod peripherals;
 mod ports;
+mod referencing;
+mod registers;
 mod serial;
 mod space;
 mod spindle;
 mod state;
+mod structures;
 mod tables;
 
 /// Who writes a symbol.
@@ -123,6 +128,17 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     }
     for rows in [panels::ROWS, ethercat::ROWS, tables::ROWS, cutting::ROWS, serial::ROWS] {
         space.rows(rows, &mut symbols);
+    }
+    registers::list(&mut symbols);
+    structures::list(&mut symbols);
+    for family in manual::FAMILIES {
+        space.axis_bits(family, &mut symbols);
+    }
+    for rows in [drives::ROWS, manual::ROWS, referencing::ROWS] {
+        space.rows(rows, &mut symbols);
+    }
+    for family in drives::FAMILIES.iter().chain(referencing::FAMILIES) {
+        space.numbered(family, &mut symbols);
     }
     for symbol in &mut symbols {
         symbol.default = symbol.default.or_else(|| defaults::of(symbol.name));

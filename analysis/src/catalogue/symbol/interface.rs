@@ -122,7 +122,7 @@ const BITS: &[Bit] = &[
     (
         "START_SUSPEND",
         system::START_SUSPEND,
-        PlcToCnc,
+        Both,
         "8.1.13",
         text(
             "1 holds a start that was requested until the program lets it go.",
@@ -280,6 +280,13 @@ const BITS: &[Bit] = &[
         text("Function H was programmed in the block.", "V bloku byla programována funkce H."),
     ),
     (
+        "ZMSSPI",
+        system::ZMSSPI,
+        CncToPlc,
+        "12.2",
+        text("Function S was programmed in the block.", "V bloku byla programována funkce S."),
+    ),
+    (
         "ZMSTPI",
         system::ZMSTPI,
         CncToPlc,
@@ -291,6 +298,7 @@ const BITS: &[Bit] = &[
 /// BYTE cells of the command block: number, chapter, meaning.
 const COMMAND_BYTES: &[(u32, &str, Bilingual)] = &[
     (3, "8.2.5", text("M function of group 10, BCD.", "Funkce M skupiny 10 v kódu BCD.")),
+    (4, "12.3", text("Function P, BCD.", "Funkce P v kódu BCD.")),
     (5, "8.2.5", text("Function H, BCD.", "Funkce H v kódu BCD.")),
     (6, "8.2.5", text("M function of group 2 (spindle), BCD.", "Funkce M skupiny 2 (vřeteno) v kódu BCD.")),
     (7, "8.2.5", text("Function T, BCD, lowest two digits.", "Funkce T v kódu BCD, nejnižší dvě číslice.")),

@@ -244,7 +244,7 @@ pub(super) const ROWS: &[Row] = &[
     (
         "SLS_REFER",
         WORD,
-        PlcToCnc,
+        Both,
         "8.1.23",
         text(
             "Enables the software limit switches, a bit an axis.",

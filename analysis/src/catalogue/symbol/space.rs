@@ -29,6 +29,8 @@ pub(super) enum Shape {
     Member(u32, Prefix, u32),
     /// A number.
     Constant(i64),
+    /// Another name of bytes of the array that came last: offset in bytes and type.
+    Within(u32, Prefix),
 }
 
 pub(super) const BYTE: Shape = Shape::Cell(Prefix::Byte);
@@ -59,6 +61,24 @@ pub(super) struct AxisBits {
     pub(super) summary: Bilingual,
 }
 
+/// Symbols `before0`, `before1` … of one kind, one behind the other.
+pub(super) struct Numbered {
+    /// What stands before the number in the name.
+    pub(super) before: &'static str,
+    /// The first number.
+    pub(super) first: u32,
+    /// How many there are.
+    pub(super) count: u32,
+    /// `Bit` or `Cell`.
+    pub(super) shape: Shape,
+    /// Who writes them.
+    pub(super) direction: Direction,
+    /// Manual chapter.
+    pub(super) chapter: &'static str,
+    /// What stands before the number in the meaning.
+    pub(super) summary: Bilingual,
+}
+
 /// Axes whose bits lie in the first byte.
 const FIRST_AXES: u32 = 6;
 
@@ -78,6 +98,7 @@ impl Space {
     pub(super) fn rows(&mut self, rows: &'static [Row], symbols: &mut Vec<SystemSymbol>) {
         let mut last = SystemKind::Constant(0);
         let mut cell = system::FREE;
+        let mut array = system::FREE;
         for &(spelling, shape, direction, chapter, summary) in rows {
             let kind = match shape {
                 Shape::Bit => self.bit(),
@@ -91,7 +112,11 @@ impl Space {
                 Shape::Formal(bit) => SystemKind::FormalBit { bit },
                 Shape::Member(offset, element, len) => SystemKind::Member { offset, element, len },
                 Shape::Constant(value) => SystemKind::Constant(value),
+                Shape::Within(offset, prefix) => SystemKind::Cell { addr: array + offset, prefix },
             };
+            if let SystemKind::Array { addr, .. } = kind {
+                array = addr;
+            }
             if let SystemKind::Cell { addr, .. } = kind {
                 cell = addr;
             }
@@ -131,6 +156,27 @@ impl Space {
                 },
             );
             symbols.push(SystemSymbol { default: family.default.map(i64::from), ..bit });
+        }
+    }
+
+    /// Places the symbols of a numbered family.
+    pub(super) fn numbered(&mut self, family: &Numbered, symbols: &mut Vec<SystemSymbol>) {
+        self.open = None;
+        for number in family.first..family.first + family.count {
+            let kind = match family.shape {
+                Shape::Cell(prefix) => SystemKind::Cell { addr: self.bytes(prefix.bytes()), prefix },
+                _ => self.bit(),
+            };
+            symbols.push(symbol(
+                generated(format!("{}{number}", family.before)),
+                kind,
+                family.direction,
+                family.chapter,
+                Bilingual {
+                    en: generated(format!("{} {number}.", family.summary.en)),
+                    cs: generated(format!("{} {number}.", family.summary.cs)),
+                },
+            ));
         }
     }
 
