@@ -47,7 +47,9 @@ pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
-pub use symbol::{Direction, SystemKind, SystemSymbol, symbol, symbols};
+pub use symbol::{
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+};
 
 /// A language of the help.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

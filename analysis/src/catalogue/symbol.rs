@@ -9,6 +9,7 @@ use super::entry::{Bilingual, Prefix};
 use super::look_up;
 
 mod axes;
+mod block;
 mod cutting;
 mod defaults;
 mod drives;
@@ -113,6 +114,15 @@ pub struct SystemSymbol {
 struct Table {
     symbols: Vec<SystemSymbol>,
     by_name: HashMap<&'static str, usize>,
+    /// First byte behind them.
+    len: Addr,
+}
+
+impl Table {
+    fn of(symbols: Vec<SystemSymbol>, len: Addr) -> Table {
+        let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
+        Table { symbols, by_name, len }
+    }
 }
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
@@ -143,8 +153,13 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     for symbol in &mut symbols {
         symbol.default = symbol.default.or_else(|| defaults::of(symbol.name));
     }
-    let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
-    Table { symbols, by_name }
+    Table::of(symbols, space.end())
+});
+
+static BLOCK: LazyLock<Table> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    let len = block::list(&mut symbols);
+    Table::of(symbols, len)
 });
 
 /// The predefined symbol `name`, in any case.
@@ -156,6 +171,24 @@ pub fn symbol(name: &str) -> Option<&'static SystemSymbol> {
 /// Every predefined symbol, in the order of the manual.
 pub fn symbols() -> impl Iterator<Item = &'static SystemSymbol> {
     TABLE.symbols.iter()
+}
+
+/// The member `name` of a prepared block, `BLK[n].name`, in any case. Members have names of their own, so that
+/// a program may call its cells `T` or `M1`; the address in their kind is the offset in the block's record.
+#[must_use]
+pub fn block_member(name: &str) -> Option<&'static SystemSymbol> {
+    look_up(&BLOCK.by_name, name).map(|&index| &BLOCK.symbols[index])
+}
+
+/// Every member of a prepared block, in the order of the manual.
+pub fn block_members() -> impl Iterator<Item = &'static SystemSymbol> {
+    BLOCK.symbols.iter()
+}
+
+/// Length of the record of a prepared block in bytes.
+#[must_use]
+pub fn block_record_len() -> u32 {
+    BLOCK.len
 }
 
 /// A text that a family of symbols generates; the table is built once and lives as long as the process.

@@ -273,7 +273,7 @@ const fn loops(
     cs: &'static str,
 ) -> Numbered {
     let summary: Bilingual = text(en, cs);
-    Numbered { before, first: 0, count: LOOPS, shape, direction, chapter: "13.18.2", summary }
+    Numbered { before, after: "", first: 0, count: LOOPS, shape, direction, chapter: "13.18.2", summary }
 }
 
 /// The EtherCAT drives and encoders.

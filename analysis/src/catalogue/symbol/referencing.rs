@@ -103,6 +103,7 @@ pub(super) const ROWS: &[Row] = &[
 /// Switches of servo loops, numbered from 1.
 pub(super) const FAMILIES: &[Numbered] = &[Numbered {
     before: "REF_SERV_",
+    after: "",
     first: 1,
     count: LOOPS,
     shape: Shape::Bit,

@@ -61,10 +61,12 @@ pub(super) struct AxisBits {
     pub(super) summary: Bilingual,
 }
 
-/// Symbols `before0`, `before1` … of one kind, one behind the other.
+/// Symbols `before0after`, `before1after` … of one kind, one behind the other.
 pub(super) struct Numbered {
     /// What stands before the number in the name.
     pub(super) before: &'static str,
+    /// What stands after it.
+    pub(super) after: &'static str,
     /// The first number.
     pub(super) first: u32,
     /// How many there are.
@@ -92,6 +94,16 @@ pub(super) struct Space {
 impl Space {
     pub(super) const fn new() -> Space {
         Space { next: system::FREE, open: None }
+    }
+
+    /// Offsets in a structure instead of addresses.
+    pub(super) const fn of_structure() -> Space {
+        Space { next: 0, open: None }
+    }
+
+    /// The first byte not given away.
+    pub(super) const fn end(&self) -> Addr {
+        self.next
     }
 
     /// Places the rows in order.
@@ -168,7 +180,7 @@ impl Space {
                 _ => self.bit(),
             };
             symbols.push(symbol(
-                generated(format!("{}{number}", family.before)),
+                generated(format!("{}{number}{}", family.before, family.after)),
                 kind,
                 family.direction,
                 family.chapter,
