@@ -50,6 +50,7 @@ pub use entry::{
 };
 pub use symbol::{
     Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+    unit_member, unit_members,
 };
 
 /// A language of the help.

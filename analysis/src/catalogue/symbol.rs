@@ -147,7 +147,7 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     for rows in [drives::ROWS, manual::ROWS, referencing::ROWS] {
         space.rows(rows, &mut symbols);
     }
-    for family in drives::FAMILIES.iter().chain(referencing::FAMILIES) {
+    for family in drives::FAMILIES.iter().chain(referencing::FAMILIES).chain([&state::LICENCES]) {
         space.numbered(family, &mut symbols);
     }
     for symbol in &mut symbols {
@@ -159,6 +159,12 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
 static BLOCK: LazyLock<Table> = LazyLock::new(|| {
     let mut symbols = Vec::new();
     let len = block::list(&mut symbols);
+    Table::of(symbols, len)
+});
+
+static UNIT: LazyLock<Table> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    let len = structures::list_unit(&mut symbols);
     Table::of(symbols, len)
 });
 
@@ -189,6 +195,18 @@ pub fn block_members() -> impl Iterator<Item = &'static SystemSymbol> {
 #[must_use]
 pub fn block_record_len() -> u32 {
     BLOCK.len
+}
+
+/// The member `name` of INOUTS, the state of a CAN-BUS unit, in any case: an operand of CAN_SYSIO_READ and
+/// CAN_SYSIO_WRITE. Members have names of their own, so that a program may call its cells `COUNT` or `ERROR`.
+#[must_use]
+pub fn unit_member(name: &str) -> Option<&'static SystemSymbol> {
+    look_up(&UNIT.by_name, name).map(|&index| &UNIT.symbols[index])
+}
+
+/// Every member of INOUTS, in the order of their offsets.
+pub fn unit_members() -> impl Iterator<Item = &'static SystemSymbol> {
+    UNIT.symbols.iter()
 }
 
 /// A text that a family of symbols generates; the table is built once and lives as long as the process.

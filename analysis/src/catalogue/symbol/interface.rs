@@ -351,21 +351,22 @@ const M_GROUPS: u8 = 14;
 /// Gears that M41 to M44 select.
 const GEARS: u8 = 4;
 
+/// Name, code, meaning without the full stop.
 const EVENTS: &[(&str, i64, Bilingual)] = &[
-    ("PLCEVENT_STOP_REQ", system::event::STOP_REQ, text("A stop was requested.", "Byl vyžádán stop.")),
+    ("PLCEVENT_STOP_REQ", system::event::STOP_REQ, text("A stop was requested", "Byl vyžádán stop")),
     (
         "PLCEVENT_STOP_EMERGENCY_REQ",
         system::event::STOP_EMERGENCY_REQ,
-        text("An emergency stop was requested.", "Byl vyžádán nouzový stop."),
+        text("An emergency stop was requested", "Byl vyžádán nouzový stop"),
     ),
-    ("PLCEVENT_STOP", system::event::STOP, text("The control has stopped.", "Systém se zastavil.")),
-    ("PLCEVENT_START", system::event::START, text("The control has started.", "Systém odstartoval.")),
+    ("PLCEVENT_STOP", system::event::STOP, text("The control has stopped", "Systém se zastavil")),
+    ("PLCEVENT_START", system::event::START, text("The control has started", "Systém odstartoval")),
     (
         "PLCEVENT_START_REQ",
         system::event::START_REQ,
         text(
-            "A start was requested; START_SUSPEND may hold it.",
-            "Byl vyžádán start; START_SUSPEND ho může pozdržet.",
+            "A start was requested; START_SUSPEND may hold it",
+            "Byl vyžádán start; START_SUSPEND ho může pozdržet",
         ),
     ),
 ];
@@ -441,11 +442,13 @@ pub(super) fn list(symbols: &mut Vec<SystemSymbol>) {
         "8.3.2",
         text("Number of prepared blocks.", "Počet připravených bloků."),
     ));
-    symbols.extend(
-        EVENTS.iter().map(|&(name, value, summary)| {
-            symbol(name, SystemKind::Constant(value), CncToPlc, "3.17", summary)
-        }),
-    );
+    symbols.extend(EVENTS.iter().map(|&(name, value, summary)| {
+        let summary = Bilingual {
+            en: generated(format!("{} (this implementation: {value}).", summary.en)),
+            cs: generated(format!("{} (tato implementace: {value}).", summary.cs)),
+        };
+        symbol(name, SystemKind::Constant(value), CncToPlc, "3.17", summary)
+    }));
 }
 
 /// The bit `ahead` places after `first`, which may lie in the next byte.

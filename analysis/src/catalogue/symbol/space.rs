@@ -71,7 +71,7 @@ pub(super) struct Numbered {
     pub(super) first: u32,
     /// How many there are.
     pub(super) count: u32,
-    /// `Bit` or `Cell`.
+    /// `Bit`, `Cell`, or `Constant` with the value of the first.
     pub(super) shape: Shape,
     /// Who writes them.
     pub(super) direction: Direction,
@@ -177,6 +177,7 @@ impl Space {
         for number in family.first..family.first + family.count {
             let kind = match family.shape {
                 Shape::Cell(prefix) => SystemKind::Cell { addr: self.bytes(prefix.bytes()), prefix },
+                Shape::Constant(value) => SystemKind::Constant(value + i64::from(number - family.first)),
                 _ => self.bit(),
             };
             symbols.push(symbol(
