@@ -12,6 +12,8 @@ const DEFAULTS: &[(&str, i64)] = &[
     ("FEED_OVR_MULTIPLIER", 1000),
     ("SPEED_OVR_MULTIPLIER", 1000),
     ("NLCSERVOENABLE", 0xFFFF),
+    ("G95_AUTMAN", 0),
+    ("SHIFT_ENABLE", 0x3F),
 ];
 
 /// The value of the symbol `name` (upper case) at power-on.
