@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+pub mod configuration;
 pub mod entry;
 pub mod logical_elements;
 pub mod page;
