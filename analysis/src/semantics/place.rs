@@ -34,6 +34,15 @@ impl Context {
         Context { kind, outer: section.outer(db).clone(), included, file }
     }
 
+    /// The place of DATA_LOCAL in an expansion here.
+    pub(super) fn in_local_data(&self) -> Context {
+        let mut outer = self.outer.clone();
+        if self.kind != SectionKind::File {
+            outer.push(self.kind);
+        }
+        Context { kind: SectionKind::DataLocal, outer, included: self.included, file: self.file }
+    }
+
     /// Code stands here, with labels of its own.
     pub(super) fn holds_code(&self) -> bool {
         !self.included
