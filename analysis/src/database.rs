@@ -332,6 +332,13 @@ pub fn parts(db: &dyn Db, project: Project) -> Parts<'_> {
     semantics::program::parts(db, project)
 }
 
+/// What a section of an included file is to the program, and the program file it belongs to.
+#[salsa::tracked(returns(copy))]
+pub fn inclusion<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Option<(SectionKind, u8)> {
+    let part = parts(db, project).parts.iter().find(|part| part.section == section)?;
+    Some((part.kind, part.file))
+}
+
 /// A section's declarations with the lengths and constants that need other sections filled in: what the layout
 /// of memory reads.
 #[salsa::tracked]

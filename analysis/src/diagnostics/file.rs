@@ -43,18 +43,15 @@ fn of_section<'db>(
         found.extend(findings.map(|finding| (section, finding.clone())));
         found.extend(in_expansion(db, expansion).into_iter().map(|finding| (section, finding)));
     }
-    {
-        let parsed = database::section_lines(db, section);
-        let mut texts = crate::syntax::lines(section.text(db)).enumerate();
-        for error in &parsed.errors {
-            let text =
-                texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
-            let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
-            let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
-            let unknown = own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
-            if !include && !unknown {
-                found.push((section, syntax::finding(error, text)));
-            }
+    let parsed = database::section_lines(db, section);
+    let mut texts = crate::syntax::lines(section.text(db)).enumerate();
+    for error in &parsed.errors {
+        let text = texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
+        let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
+        let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
+        let unknown = own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
+        if !include && !unknown {
+            found.push((section, syntax::finding(error, text)));
         }
     }
     found.extend(own().map(|finding| (section, finding.clone())));
@@ -241,7 +238,7 @@ fn expanded<'db>(db: &'db dyn Db, project: Project, site: Site<'db>) -> Option<(
 pub(crate) fn site_location(db: &dyn Db, project: Project, site: Site<'_>) -> Option<Location> {
     let declared = database::declared(db, project, site)?;
     let (section, line, columns) = match expanded(db, project, site) {
-        Some((expansion, line)) => expansion.defined(line, &declared.name.columns)?,
+        Some((expansion, line)) => expansion.defined(db, line, &declared.name.columns)?,
         None => (site.section, declared.line, declared.columns()),
     };
     let file = section.file(db).path(db).clone();
@@ -270,7 +267,7 @@ fn absolute(db: &dyn Db, project: Project, section: Section<'_>, finding: &Findi
             }
             Anchor::Expanded { line, columns } => {
                 let expansion = database::expansion_of(db, project, section);
-                if let Some((definition, line, columns)) = expansion.and_then(|it| it.defined(*line, columns)) {
+                if let Some((definition, line, columns)) = expansion.and_then(|it| it.defined(db, *line, columns)) {
                     let file = definition.file(db).path(db).clone();
                     related.push((Location { file, span: span(db, definition, line, &columns) }, note.clone()));
                 }

@@ -531,6 +531,11 @@ impl<'db> CodeReader<'db> {
     }
 
     fn unknown(&mut self, name: &Name) {
+        if self.parameter_without_prefix(name) {
+            // Reported where the macro is defined.
+            self.clean = false;
+            return;
+        }
         let near = self.nearest_symbol(name);
         let message = match &near {
             Some(near) => format!("{} is not declared; did you mean {near}?", name.text),
@@ -541,6 +546,16 @@ impl<'db> CodeReader<'db> {
             finding = finding.replace(format!("write {near}"), name.columns.clone(), near.as_str());
         }
         self.push_finding(finding);
+    }
+
+    /// A parameter that the body of a macro takes without TMAC.
+    fn parameter_without_prefix(&self, name: &Name) -> bool {
+        let Some((expansion, body)) = self.expansion.zip(self.body(self.line)) else { return false };
+        let Some(definition) = expansion.definitions.get(usize::from(body.definition)) else { return false };
+        let written = expansion.written(self.line, &name.columns);
+        let parameters = &database::macro_definition(self.db, *definition).parameters;
+        written.is_some_and(|(spot, _)| spot.definition == Some(body.definition))
+            && parameters.iter().any(|parameter| parameter.key() == name.key())
     }
 
     fn nearest_symbol(&self, name: &Name) -> Option<String> {

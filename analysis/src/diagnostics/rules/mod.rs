@@ -118,6 +118,7 @@ pub static RULES: &[&Rule] = &[
     &macros::APPENDED_UNKNOWN,
     &macros::MACRO_STRUCTURE,
     &macros::DUPLICATE_PARAMETER,
+    &macros::PARAMETER_BYPASSED,
 ];
 
 /// The rule with `code`, in any case.

@@ -309,7 +309,9 @@ impl BodyReader<'_> {
             }
         }
         if let Some(name) = unprefixed {
-            self.prefix_missing(name, operand);
+            let known = NameRef::new(self.db, Arc::from(name.key()), self.file);
+            let exists = database::lookup(self.db, self.project, known).is_some();
+            self.prefix_missing(name, operand, exists);
         }
     }
 
@@ -329,14 +331,20 @@ impl BodyReader<'_> {
         self.out.findings.push(finding);
     }
 
-    fn prefix_missing(&mut self, name: &Name, operand: &Expr) {
+    fn prefix_missing(&mut self, name: &Name, operand: &Expr, exists: bool) {
         let mut first = operand;
         while let ExprKind::Sign { operand, .. } = &first.kind {
             first = operand;
         }
         let start = first.columns.start;
-        let message = format!("{0} is a parameter: an instruction takes it as TMAC.{0}", name.text);
-        let finding = Finding::new(&rules::MISSING_TMAC, self.line, name.columns.clone(), message)
+        let (rule, message) = if exists {
+            let message = format!("this is the {0} of the project, not the parameter TMAC.{0}", name.text);
+            (&rules::PARAMETER_BYPASSED, message)
+        } else {
+            let message = format!("{0} is a parameter: an instruction takes it as TMAC.{0}", name.text);
+            (&rules::MISSING_TMAC, message)
+        };
+        let finding = Finding::new(rule, self.line, name.columns.clone(), message)
             .replace("write TMAC. before the operand", start..start, "TMAC.");
         self.out.findings.push(finding);
     }

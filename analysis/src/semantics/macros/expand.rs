@@ -159,18 +159,17 @@ impl<'db> Expansion<'db> {
 
     /// The definition's section, own line and columns of a place in an expansion.
     #[must_use]
-    pub fn defined(&self, line: u32, columns: &Columns) -> Option<(Section<'db>, u32, Columns)> {
+    pub fn defined(&self, db: &dyn Db, line: u32, columns: &Columns) -> Option<(Section<'db>, u32, Columns)> {
         let body = self.origins.get(line as usize)?.body.as_ref()?;
         if let Some((Spot { definition: Some(definition), line, .. }, columns)) = self.written(line, columns) {
             return Some((*self.definitions.get(usize::from(definition))?, line, columns));
         }
-        let own = |segment: &&Segment| segment.spot.definition == Some(body.definition);
-        let first = body.segments.iter().find(own)?;
-        let last = body.segments.iter().rev().find(own).unwrap_or(first);
-        let blank = body.text.len() - body.text.trim_start().len();
-        let start = first.spot.column.max(blank as u32);
-        let columns = start..(last.spot.column + last.len).max(start);
-        Some((*self.definitions.get(usize::from(body.definition))?, body.line, columns))
+        // The call wrote it: the whole line of the body stands for what it does with it.
+        let section = *self.definitions.get(usize::from(body.definition))?;
+        let lines = &database::macro_definition(db, section).body;
+        let text = &lines.get(lines.binary_search_by_key(&body.line, |line| line.line).ok()?)?.text;
+        let start = text.len() - text.trim_start().len();
+        Some((section, body.line, start as u32..text.len() as u32))
     }
 
     /// Own lines with calls, each with whether it takes break-points.

@@ -89,6 +89,13 @@ impl<'db> MacroMeaning<'db> {
 /// Finds the events of a file.
 pub(crate) fn of_file(db: &dyn Db, file: SourceFile) -> FileMacros<'_> {
     let mut found = FileMacros::default();
+    // Most files have none: then it does not matter where their sections stand.
+    let sections = database::sections(db, file).iter();
+    let mut lines = sections.clone().map(|section| database::section_macro_lines(db, *section));
+    let mut kinds = sections.map(|section| section.kind(db));
+    if lines.all(Vec::is_empty) && !kinds.any(|kind| kind == SectionKind::Macro) {
+        return found;
+    }
     if let Some(root) = database::sections(db, file).first() {
         walk(db, *root, &mut found);
     }
