@@ -287,11 +287,7 @@ pub fn expansion_declarations<'db>(
 
 /// What the expansions of a section declare for others, without positions.
 #[salsa::tracked]
-pub fn expansion_exports<'db>(
-    db: &'db dyn Db,
-    project: Project,
-    section: Section<'db>,
-) -> ExpansionExports {
+pub fn expansion_exports<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> ExpansionExports {
     declare::exports(expansion_declarations(db, project, section))
 }
 

@@ -51,7 +51,11 @@ fn further_file(before: &str, main: &str) -> String {
 fn check(files: &[(&str, &str)]) -> String {
     let mut memory: BTreeMap<String, String> =
         files.iter().map(|(path, text)| ((*path).to_string(), (*text).to_string())).collect();
-    let programs: Vec<&str> = files.iter().map(|(path, _)| *path).filter(|path| path.ends_with(".plc")).collect();
+    let programs: Vec<&str> = files
+        .iter()
+        .map(|(path, _)| *path)
+        .filter(|path| path.rsplit_once('.').is_some_and(|(_, end)| end == "plc"))
+        .collect();
     memory.entry("p/technol.toml".to_string()).or_insert_with(|| {
         format!(
             "[project]\nmain = {:?}\nfiles = {:?}\nsystem-dir = \"system\"\n",
@@ -65,7 +69,8 @@ fn check(files: &[(&str, &str)]) -> String {
     let mut shown = String::new();
     let place = |file: &str, span: technol_analysis::Span| {
         let key = if file.starts_with('/') { file.to_string() } else { format!("p/{file}") };
-        let line = texts.get(&key).and_then(|text| text.lines().nth(span.start.line as usize)).unwrap_or_default();
+        let line =
+            texts.get(&key).and_then(|text| text.lines().nth(span.start.line as usize)).unwrap_or_default();
         let text = line.get(span.start.column as usize..span.end.column as usize).unwrap_or("?");
         format!("{file}:{} «{text}»", span.start.line + 1)
     };
@@ -123,7 +128,9 @@ fn two_definitions_of_one_name_are_reported_at_both() {
 
 #[test]
 fn a_mistake_in_an_expansion_stands_at_the_call_and_shows_the_line_of_the_definition() {
-    let twice = format!("{COPY}DEF_T_MACRO TWICE FROM\n COPY TMAC.FROM,NOWHERE\n LDR START\n STO1 TMAC.FROM\nEND_T_MACRO T_END\n");
+    let twice = format!(
+        "{COPY}DEF_T_MACRO TWICE FROM\n COPY TMAC.FROM,NOWHERE\n LDR START\n STO1 TMAC.FROM\nEND_T_MACRO T_END\n"
+    );
     let main = main_file(" T_INCLUDE TWICE.INC\n", " TWICE START ;call\n COPY COUNT,RED\n");
     insta::assert_snapshot!(check(&[("p/main.plc", &main), ("p/TWICE.INC", &twice)]), @"
     main.plc:14 «TWICE» T0301 NOWHERE is not declared; declare it with DFM, DS or EQUI

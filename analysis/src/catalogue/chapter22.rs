@@ -26,15 +26,7 @@ const DEBUGGING: OperandSpec = operand(
 .or_nothing();
 
 /// The entries, in manual order.
-pub(super) static ENTRIES: &[Entry] = &[
-    INCLUDE,
-    DEFINITION,
-    END,
-    LOCAL,
-    PREFIX,
-    APPEND,
-    CONTROL,
-];
+pub(super) static ENTRIES: &[Entry] = &[INCLUDE, DEFINITION, END, LOCAL, PREFIX, APPEND, CONTROL];
 
 const INCLUDE: Entry = Entry {
     name: "T_INCLUDE",
@@ -231,10 +223,7 @@ const PREFIX: Entry = Entry {
     name: "TMAC",
     chapter: "22.3",
     forms: &[form("TMAC.parameter"), form("-TMAC.parameter"), form("TMAC.prefix.parameter")],
-    summary: text(
-        "Announces a parameter of the macro in an operand.",
-        "Uvádí v operandu parametr makra.",
-    ),
+    summary: text("Announces a parameter of the macro in an operand.", "Uvádí v operandu parametr makra."),
     description: text(
         "Instructions in the body of a macro take parameters behind TMAC. It covers the whole operand: in \
          `TMAC.CELL.BIT` both names may be parameters. It stands before other prefixes and behind a minus sign. \

@@ -1,13 +1,15 @@
 //! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
 
-use super::rules::{declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules};
+use super::rules::{
+    declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules,
+};
 use super::{Anchor, Diagnostic, Finding, Fix, syntax};
-use crate::semantics::macros::{expand::Expansion, remap, without_marks};
 use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
 use crate::semantics::analysis::Overrun;
 use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::macros::{expand::Expansion, remap, without_marks};
 use crate::semantics::scope::Clash;
 use crate::semantics::structure;
 use crate::syntax::ast::Columns;
@@ -267,9 +269,12 @@ fn absolute(db: &dyn Db, project: Project, section: Section<'_>, finding: &Findi
             }
             Anchor::Expanded { line, columns } => {
                 let expansion = database::expansion_of(db, project, section);
-                if let Some((definition, line, columns)) = expansion.and_then(|it| it.defined(db, *line, columns)) {
+                if let Some((definition, line, columns)) =
+                    expansion.and_then(|it| it.defined(db, *line, columns))
+                {
                     let file = definition.file(db).path(db).clone();
-                    related.push((Location { file, span: span(db, definition, line, &columns) }, note.clone()));
+                    related
+                        .push((Location { file, span: span(db, definition, line, &columns) }, note.clone()));
                 }
             }
             Anchor::Symbol(key) => {

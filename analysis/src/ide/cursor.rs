@@ -128,7 +128,10 @@ impl<'db> Cursor<'db> {
             return Some(Meaning::Label(Arc::from(name.key())));
         }
         if matches!(declared.what, What::Macro | What::MacroWord) {
-            return Some(Meaning::Symbol(SymbolKey { scope: SymbolScope::Macro, name: Arc::from(name.key()) }));
+            return Some(Meaning::Symbol(SymbolKey {
+                scope: SymbolScope::Macro,
+                name: Arc::from(name.key()),
+            }));
         }
         self.symbol(name).map(|symbol| Meaning::Symbol(symbol.key.clone()))
     }

@@ -49,8 +49,7 @@ pub(super) fn symbol(db: &dyn Db, project: Project, key: &SymbolKey) -> Vec<Loca
 pub(super) fn formal(db: &dyn Db, project: Project, section: Section<'_>, key: &str) -> Vec<Location> {
     let references = &database::section_analysis(db, project, section).references;
     let declared = references.iter().filter(|r| {
-        r.access == ReferenceAccess::Declare
-            && matches!(&r.referent, Referent::Formal(own) if **own == *key)
+        r.access == ReferenceAccess::Declare && matches!(&r.referent, Referent::Formal(own) if **own == *key)
     });
     let first = declared.min_by_key(|r| (r.line, r.columns.start));
     first.and_then(|r| cursor::location(db, section, r.line, &r.columns)).into_iter().collect()

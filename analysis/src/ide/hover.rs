@@ -121,7 +121,8 @@ fn comments_before(text: &str, line: u32) -> Vec<String> {
 
 /// Help on a parameter or T_LOCAL symbol: the line that declares it.
 fn formal(cursor: &Cursor<'_>, key: &str, language: Language) -> Option<String> {
-    let place = super::definition::formal(cursor.db, cursor.project, cursor.section, key).into_iter().next()?;
+    let place =
+        super::definition::formal(cursor.db, cursor.project, cursor.section, key).into_iter().next()?;
     let own = cursor.section.lines(cursor.db).binary_search(&place.span.start.line).ok()?;
     let line = source_line(cursor.db, cursor.section, own as u32)?;
     let definition = database::macro_definition(cursor.db, cursor.section);

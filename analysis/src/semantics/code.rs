@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 use super::analysis::{Overrun, SectionAnalysis};
 use super::equations::Equations;
-use super::macros::expand::{Call, Expansion, Problem};
-use super::macros::{self, definition::FlagProblem};
-use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey, SymbolScope};
+use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
+use super::macros;
+use super::macros::expand::{Call, Expansion};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
 use super::{flow, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
-use crate::diagnostics::rules::{macros as macro_rules, names, operands as operand_rules, sequences, syntax};
+use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
 use crate::diagnostics::{Finding, Rule, Severity};
 use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, ExprKind, Line, Name};
@@ -64,12 +64,12 @@ pub(super) struct CodeReader<'db> {
     pub(super) section: Section<'db>,
     pub(super) place: place::Context,
     /// The lines it walks: its own, with expansions of the macros it calls.
-    parsed: &'db ParsedLines,
-    expansion: Option<&'db Expansion<'db>>,
+    pub(super) parsed: &'db ParsedLines,
+    pub(super) expansion: Option<&'db Expansion<'db>>,
     /// Calls that are still to come.
-    calls: std::iter::Peekable<std::slice::Iter<'db, Call<'db>>>,
+    pub(super) calls: std::iter::Peekable<std::slice::Iter<'db, Call<'db>>>,
     /// Calls whose expansion the current line belongs to, outermost first, with the equations before them.
-    open_calls: Vec<(&'db Call<'db>, Equations)>,
+    pub(super) open_calls: Vec<(&'db Call<'db>, Equations)>,
     /// Current line; own lines and expansions count alike until [`macros::remap`] makes own lines of them.
     pub(super) line: u32,
     /// Nothing was reported on the current line.
@@ -79,14 +79,14 @@ pub(super) struct CodeReader<'db> {
     labels: BTreeMap<Arc<str>, (u32, Columns)>,
     /// Labels that wait for their statement.
     waiting: Vec<Arc<str>>,
-    equations: Equations,
+    pub(super) equations: Equations,
     loaded: moves::Loaded,
     /// A line could not be read: what flows through the section is a guess.
-    unreadable: bool,
+    pub(super) unreadable: bool,
     /// A call was reported as too large.
-    too_large: bool,
+    pub(super) too_large: bool,
     /// The line before was reported as misplaced.
-    misplaced: bool,
+    pub(super) misplaced: bool,
     /// Own line that closes the section.
     end: u32,
 }
@@ -127,7 +127,9 @@ impl<'db> CodeReader<'db> {
         }
         for (number, line) in lines.iter().enumerate() {
             let Some(label) = &line.label else { continue };
-            if self.is_local_data(number as u32) || line.operation.as_ref().is_some_and(|o| o.text.eq_ignore_ascii_case("STR")) {
+            if self.is_local_data(number as u32)
+                || line.operation.as_ref().is_some_and(|o| o.text.eq_ignore_ascii_case("STR"))
+            {
                 continue;
             }
             let key: Arc<str> = Arc::from(label.key());
@@ -227,131 +229,6 @@ impl<'db> CodeReader<'db> {
         }
         self.push_finding(finding);
         None
-    }
-
-    /// A line that calls a macro; the lines it expands to follow.
-    fn call(&mut self, call: &'db Call<'db>, line: &Line) {
-        self.misplaced = false;
-        let key = SymbolKey { scope: SymbolScope::Macro, name: call.word.clone() };
-        self.refer(call.columns.clone(), Referent::Symbol(key.clone()), ReferenceAccess::Call);
-        let name = line.operation.as_ref().map_or("", |operation| operation.text.as_str());
-        let (rule, columns, message) = match &call.problem {
-            None => {
-                self.open_call(call);
-                return;
-            }
-            Some(Problem::Circle) => {
-                self.unreadable = true;
-                return;
-            }
-            Some(Problem::Brackets(columns)) => {
-                self.open_call(call);
-                let message = format!("{name} takes operands with brackets only when its flags say C_1");
-                (&macro_rules::MACRO_BRACKETS, columns.clone(), message)
-            }
-            Some(Problem::Later) => {
-                let message = format!("{name} is defined further down; a macro must be defined before it is used");
-                (&macro_rules::MACRO_USED_BEFORE, call.columns.clone(), message)
-            }
-            Some(Problem::TooLarge) => {
-                if std::mem::replace(&mut self.too_large, true) {
-                    self.unreadable = true;
-                    return;
-                }
-                let message = format!(
-                    "{name} cannot be expanded: macros may be nested {} deep, and the macros of a section may have {} lines",
-                    macros::MAX_DEPTH,
-                    macros::MAX_LINES
-                );
-                (&macro_rules::MACRO_TOO_LARGE, call.columns.clone(), message)
-            }
-            Some(Problem::Arguments { expected, given }) => {
-                let plural = if *expected == 1 { "" } else { "s" };
-                let message = format!("{name} takes {expected} operand{plural}, {given} given");
-                (&macro_rules::MACRO_ARGUMENTS, call.columns.clone(), message)
-            }
-            Some(Problem::Empty(number)) => {
-                let message = format!("operand {number} of {name} is empty; a macro needs all of them");
-                (&macro_rules::MACRO_ARGUMENTS, call.columns.clone(), message)
-            }
-        };
-        self.unreadable |= call.problem.as_ref().is_some_and(Problem::stops);
-        self.report_symbol(rule, columns, message, &key);
-    }
-
-    fn open_call(&mut self, call: &'db Call<'db>) {
-        let before = self.equations.enter(call.flags.stack);
-        self.open_calls.push((call, before));
-    }
-
-    /// Ends the calls whose last line is behind.
-    fn leave_calls(&mut self) {
-        while let Some((call, before)) = self.open_calls.pop_if(|(call, _)| call.end <= self.line) {
-            self.equations.leave(before, call.flags.stack, (call.line, call.columns.clone()), &call.word);
-        }
-    }
-
-    /// Own line of the section that the current line belongs to.
-    fn own_line(&self) -> u32 {
-        let origin = self.expansion.and_then(|it| it.origins.get(self.line as usize));
-        origin.map_or(self.line, |origin| origin.own)
-    }
-
-    fn body(&self, line: u32) -> Option<&'db macros::expand::Body> {
-        self.expansion?.origins.get(line as usize)?.body.as_ref()
-    }
-
-    /// The current line belongs to a macro.
-    fn in_expansion(&self) -> bool {
-        self.body(self.line).is_some()
-    }
-
-    /// A line stands in DATA_LOCAL of a macro.
-    fn is_local_data(&self, line: u32) -> bool {
-        self.body(line).is_some_and(|body| body.local)
-    }
-
-    fn in_local_data(&self) -> bool {
-        self.is_local_data(self.line)
-    }
-
-    fn t_local(&mut self, line: &Line) {
-        let columns = line.operation.as_ref().map_or(0..0, |operation| operation.columns.clone());
-        let message = "T_LOCAL stands in macros only, directly behind DEF_T_MACRO";
-        self.report(&macro_rules::T_LOCAL_PLACE, columns, message);
-    }
-
-    /// APPEND_T_MACRO word, macro, flags.
-    fn append(&mut self, line: &Line) {
-        let name_of = |index: usize| match line.operands.get(index).map(|operand| &operand.kind) {
-            Some(ExprKind::Name(name)) => Some(name.clone()),
-            _ => None,
-        };
-        let (Some(word), Some(target)) = (name_of(0), name_of(1)) else {
-            let columns = line.operation.as_ref().map_or(0..0, |operation| operation.columns.clone());
-            let message = "two names are needed: APPEND_T_MACRO word, macro [, flags]";
-            self.report(&operand_rules::OPERAND_COUNT, columns, message);
-            return;
-        };
-        let key = NameRef::new(self.db, Arc::from(target.key()), None);
-        if database::macro_meaning(self.db, self.project, self.section, key).somewhere {
-            let key = SymbolKey { scope: SymbolScope::Macro, name: Arc::from(target.key()) };
-            self.refer(target.columns.clone(), Referent::Symbol(key), ReferenceAccess::Call);
-        } else {
-            let message = format!("{} is no macro of this project", target.text);
-            self.report(&macro_rules::APPENDED_UNKNOWN, target.columns.clone(), message);
-        }
-        let hidden = macros::table::is_instruction(&word.text);
-        if hidden && !database::macros_before(self.db, self.project) {
-            let message =
-                format!("{} stays the instruction; only CONTROL_T_MACRO PRE lets a macro replace it", word.text);
-            self.report(&macro_rules::MACRO_HIDDEN, word.columns, message);
-        }
-        let (_, problems) = macros::definition::Flags::read(line.operands.get(2..).unwrap_or_default());
-        for problem in problems {
-            let finding = flag_finding(&problem, self.line);
-            self.push_finding(finding);
-        }
     }
 
     /// Opening and closing lines.
@@ -548,16 +425,6 @@ impl<'db> CodeReader<'db> {
         self.push_finding(finding);
     }
 
-    /// A parameter that the body of a macro takes without TMAC.
-    fn parameter_without_prefix(&self, name: &Name) -> bool {
-        let Some((expansion, body)) = self.expansion.zip(self.body(self.line)) else { return false };
-        let Some(definition) = expansion.definitions.get(usize::from(body.definition)) else { return false };
-        let written = expansion.written(self.line, &name.columns);
-        let parameters = &database::macro_definition(self.db, *definition).parameters;
-        written.is_some_and(|(spot, _)| spot.definition == Some(body.definition))
-            && parameters.iter().any(|parameter| parameter.key() == name.key())
-    }
-
     fn nearest_symbol(&self, name: &Name) -> Option<String> {
         let scope = database::scope(self.db, self.project);
         let locals = self.place.file.and_then(|file| scope.locals.get(usize::from(file)));
@@ -629,23 +496,6 @@ impl<'db> CodeReader<'db> {
             });
         }
     }
-}
-
-/// A mistake in a list of flags.
-pub(super) fn flag_finding(problem: &FlagProblem, line: u32) -> Finding {
-    let words = macros::definition::FLAG_WORDS.concat().join(", ");
-    let (columns, message) = match problem {
-        FlagProblem::Unknown(columns) => (columns, format!("this is no flag; flags are {words}")),
-        FlagProblem::Order(columns) => {
-            (columns, "flags stand in the order stack, conversion, debugging".to_string())
-        }
-        FlagProblem::Twice(columns) => (columns, "a flag of this kind is given already".to_string()),
-    };
-    let rule = match problem {
-        FlagProblem::Order(_) => &macro_rules::MACRO_FLAG_ORDER,
-        FlagProblem::Unknown(_) | FlagProblem::Twice(_) => &macro_rules::MACRO_FLAGS,
-    };
-    Finding::new(rule, line, columns.clone(), message)
 }
 
 /// The first way to write an instruction.

@@ -3,9 +3,7 @@
 use std::sync::Arc;
 
 use super::constant::{ConstExpr, NotConstant};
-use super::declarations::{
-    Declarations, Declared, Exports, IncludeLine, MacroLine, Overlay, Storage, What,
-};
+use super::declarations::{Declarations, Declared, Exports, IncludeLine, MacroLine, Overlay, Storage, What};
 use super::macros::definition::Flags;
 use crate::catalogue;
 use crate::diagnostics::Finding;

@@ -28,7 +28,8 @@ impl Constants {
         let mut known = Constants::default();
         for part in parts {
             let all = super::program::all_exports(db, project, part);
-            let names = all.flat_map(|(_, exports, _)| exports.names.iter().enumerate().map(move |it| (exports, it)));
+            let names =
+                all.flat_map(|(_, exports, _)| exports.names.iter().enumerate().map(move |it| (exports, it)));
             for (exports, (index, (name, what))) in names {
                 if let What::Constant(value) = what {
                     match (value, exports.expressions.iter().find(|(i, _)| *i == index as u32)) {

@@ -76,9 +76,9 @@ impl MacroLine {
     #[must_use]
     pub const fn line(&self) -> u32 {
         match self {
-            MacroLine::Append { line, .. } | MacroLine::Control { line, .. } | MacroLine::Include { line, .. } => {
-                *line
-            }
+            MacroLine::Append { line, .. }
+            | MacroLine::Control { line, .. }
+            | MacroLine::Include { line, .. } => *line,
         }
     }
 }

@@ -43,7 +43,13 @@ impl Equations {
     }
 
     /// An instruction; gives whether it is an LDR that pushes.
-    pub(in crate::semantics) fn step(&mut self, entry: &Entry, has_operand: bool, line: u32, columns: &Columns) -> bool {
+    pub(in crate::semantics) fn step(
+        &mut self,
+        entry: &Entry,
+        has_operand: bool,
+        line: u32,
+        columns: &Columns,
+    ) -> bool {
         match entry.equation {
             Equation::None | Equation::Modify => {}
             Equation::Open => return self.load((line, columns.clone())),
@@ -84,7 +90,11 @@ impl Equations {
     /// The lines of a macro are over: what counts from here on is what its flag says.
     pub(super) fn leave(&mut self, before: Equations, flag: StackFlag, spot: Spot, word: &str) {
         let clean = self.findings.len() == before.reported;
-        if clean && before.open.is_some() && self.pushed.len() > before.pushed.len() && flag != StackFlag::Push {
+        if clean
+            && before.open.is_some()
+            && self.pushed.len() > before.pushed.len()
+            && flag != StackFlag::Push
+        {
             let message = format!(
                 "an equation is open here, and {word} begins another one that does not take it back; close it before"
             );

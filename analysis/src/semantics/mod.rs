@@ -22,6 +22,7 @@ pub(crate) mod suggest;
 
 mod address;
 mod bits;
+mod calls;
 mod constants;
 mod data;
 mod equations;

@@ -187,7 +187,8 @@ impl<'db> Check<'db> {
             let shown = if unnamed { end.clone() } else { format!("{end} {name}") };
             let late = strays.iter().any(|s| s.keyword == end && (unnamed || *s.name == **name));
             let (rule, message) = if late && kind == SectionKind::Macro {
-                let message = "another definition, DATA or a module begins before END_T_MACRO; close this macro first";
+                let message =
+                    "another definition, DATA or a module begins before END_T_MACRO; close this macro first";
                 (&macros::MACRO_NESTED, message.to_string())
             } else if late {
                 let message = format!("something else begins before {shown}; close {} first", opening(kind));

@@ -6,7 +6,8 @@ use technol_image::op::Op;
 
 use super::{built, parts, project, refused, shown, source};
 
-const DATA: &str = "KEYS: DFM START,DOOR,LIMIT\nLAMPS: DFM RED,GREEN\nSMALL: DS 1\nMIDDLE: DS 2\nTABLE: DS 8\n";
+const DATA: &str =
+    "KEYS: DFM START,DOOR,LIMIT\nLAMPS: DFM RED,GREEN\nSMALL: DS 1\nMIDDLE: DS 2\nTABLE: DS 8\n";
 
 fn program(before: &str, main: &str) -> Program {
     let text = format!("{before}{}", source(DATA, main));
@@ -40,9 +41,10 @@ fn an_expansion_is_the_same_as_its_lines_written_by_hand() {
                  DFM B0,B1,B2,B3,B4,B5,B6,B7\n DATA_LOCAL_END\n EDGE_H TMAC.FROM\n WR B0\n JL0 SKIP\n LOD KEPT\n\
                  INR\n STO KEPT\nSKIP:\n CU -,3,B1\nEND_T_MACRO T_END\n"
         .replace(" CU -,3,B1\n", "");
-    let both = format!("{copy}DEF_T_MACRO BOTH ONE,TWO\n COPY TMAC.ONE,RED\n COPY TWO,GREEN\nEND_T_MACRO T_END\n");
+    let both =
+        format!("{copy}DEF_T_MACRO BOTH ONE,TWO\n COPY TMAC.ONE,RED\n COPY TWO,GREEN\nEND_T_MACRO T_END\n");
     let push = "DEF_T_MACRO BEGUN ONE\n LDR TMAC.ONE\nEND_T_MACRO T_PUSH\nDEF_T_MACRO JOINED\n LO\nEND_T_MACRO T_POP\n";
-    let mixed = "DEF_T_MACRO LOADED CELL\n MOV AX,CELL\n LOD TMAC.CELL\n STO WORD.TABLE\nEND_T_MACRO\n";
+    let mixed = "DEF_T_MACRO LOADED CELL\n MOV BX,CX\n LOD TMAC.CELL\n STO WORD.TABLE\nEND_T_MACRO\n";
     let mech = |body: &str| format!(" MECH_BEGIN M\n{body}OUT: EX\n MECH_END M\n FL 1,M\n");
     for (macros, with, by_hand) in [
         (copy, " COPY START,RED\n COPY -DOOR,SMALL.LIMIT\n".to_owned(), " LDR START\n WR RED\n LDR -DOOR\n WR SMALL.LIMIT\n".to_owned()),
@@ -67,7 +69,7 @@ fn an_expansion_is_the_same_as_its_lines_written_by_hand() {
             " BEGUN START\n BEGUN DOOR\n JOINED\n WR RED\n".to_owned(),
             " LDR START\n LDR DOOR\n LO\n WR RED\n".to_owned(),
         ),
-        (mixed, " LOADED MIDDLE\n".to_owned(), " MOV AX,MIDDLE\n LOD MIDDLE\n STO WORD.TABLE\n".to_owned()),
+        (mixed, " LOADED MIDDLE\n".to_owned(), " MOV BX,CX\n LOD MIDDLE\n STO WORD.TABLE\n".to_owned()),
     ] {
         assert_eq!(without_lines(program(macros, &with)), without_lines(program("", &by_hand)), "{with}");
     }
@@ -80,7 +82,7 @@ const TEMPLATES: &[&str] = &[
     "LOD {c}\n AD CNST.3\n STO {c}",
     "LOD BYTE.{c}\n STO BYTE.TABLE",
     "EDGE_H {b}\n STO1 {c}",
-    "EQ1 {b}",
+    "EQ1 {c}",
     "LDR {b}\n LDR -{b}\n LO\n WR {c}.{b}",
 ];
 
@@ -128,7 +130,8 @@ fn a_call_is_one_line_of_the_debugger_and_d_on_allows_break_points() {
     let macros = "DEF_T_MACRO QUIET TO\n LDR START\n WR TMAC.TO\nEND_T_MACRO T_END\n\
                   DEF_T_MACRO LOUD TO\n LDR START\n WR TMAC.TO\nEND_T_MACRO T_END,C_0,D_ON\n\
                   APPEND_T_MACRO HEARD,QUIET,T_END,C_0,D_ON\nDEBUG ON\n";
-    let text = format!("{macros}{}", source(DATA, " LDR START\n WR RED\n QUIET RED\n LOUD RED\n HEARD GREEN\n"));
+    let text =
+        format!("{macros}{}", source(DATA, " LDR START\n WR RED\n QUIET RED\n LOUD RED\n HEARD GREEN\n"));
     let main = text.lines().position(|line| line == "MODULE_MAIN").expect("it is there") as u32 + 1;
     let lines = |everywhere: bool| -> Vec<(u32, bool)> {
         let manifest = format!("[project]\nmain = \"main.plc\"\n[debug]\neverywhere = {everywhere}\n");
@@ -147,8 +150,13 @@ fn data_of_macros_are_shown_by_the_debugger() {
                   LDR TMAC.FROM\n STO1 KEPT\n EQUI MADE,5\nEND_T_MACRO T_END\n";
     let text = format!("{macros}{}", source(DATA, " KEEP START\n KEEP DOOR\n LOD CNST.MADE\n"));
     let built = built(&project(&[("main.plc", &text)]));
-    let names: Vec<&str> =
-        parts(&built).1.symbols.iter().map(|s| s.name.as_str()).filter(|n| n.contains("KEPT") || *n == "MADE").collect();
+    let names: Vec<&str> = parts(&built)
+        .1
+        .symbols
+        .iter()
+        .map(|s| s.name.as_str())
+        .filter(|n| n.contains("KEPT") || *n == "MADE")
+        .collect();
     assert_eq!(names, ["KEPT@@MAIN@1", "KEPT@@MAIN@2", "MADE", "MADE"]);
 }
 

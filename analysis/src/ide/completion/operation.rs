@@ -23,8 +23,7 @@ pub(super) fn list(request: &Request<'_>, language: Language, list: &mut List) {
     let own = request.own_line();
     for key in table.visible(request.section, own) {
         let Some(symbol) = scope.macros.get(key) else { continue };
-        // A macro is no word of its own body.
-        if list.matches(key) && (request.section.kind(request.db) != SectionKind::Macro || **key != **request.section.name(request.db)) {
+        if list.matches(key) {
             let name = cursor::spelling(request.db, request.project, &symbol.key);
             let candidate = Candidate {
                 label: name.clone(),

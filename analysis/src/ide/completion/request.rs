@@ -156,7 +156,9 @@ fn operand(line: &Line, operation: &Name, head: &str) -> Option<Operand> {
             }
         }
         Some('.') => match open_dot(last?)? {
-            Expr { kind: ExprKind::Name(name), .. } if name.text.eq_ignore_ascii_case(TMAC) => Part::Parameter,
+            Expr { kind: ExprKind::Name(name), .. } if name.text.eq_ignore_ascii_case(TMAC) => {
+                Part::Parameter
+            }
             Expr { kind: ExprKind::Name(name), .. } => match catalogue::prefix(&name.text) {
                 Some(spelling) => Part::Typed(spelling.prefix),
                 None => Part::Bit(Some(name.clone())),

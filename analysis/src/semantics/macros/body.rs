@@ -11,7 +11,7 @@ use crate::database::{self, Db, NameRef, Project, Section};
 use crate::diagnostics::rules::{declarations, macros as rules, operands, structure, syntax};
 use crate::diagnostics::{Finding, Rule};
 use crate::semantics::analysis::SectionAnalysis;
-use crate::semantics::code::flag_finding;
+use crate::semantics::calls::flag_finding;
 use crate::semantics::equations::Equations;
 use crate::semantics::operands::access;
 use crate::semantics::place;
@@ -94,7 +94,8 @@ impl BodyReader<'_> {
                 ExprKind::Name(name) if index > 0 => self.formal(name),
                 ExprKind::Name(name) => {
                     if name.text.chars().count() > SIGNIFICANT {
-                        let message = format!("only the first {SIGNIFICANT} characters of {} count", name.text);
+                        let message =
+                            format!("only the first {SIGNIFICANT} characters of {} count", name.text);
                         self.report(&declarations::LONG_NAME, name.columns.clone(), message);
                     }
                 }
@@ -123,9 +124,8 @@ impl BodyReader<'_> {
         let own = name.key();
         if let Some((line, columns)) = self.formals.get(&own).cloned() {
             let message = format!("{} is a parameter or T_LOCAL symbol of this macro already", name.text);
-            let finding =
-                Finding::new(&rules::DUPLICATE_PARAMETER, self.line, name.columns.clone(), message)
-                    .beside(line, columns, "the first one");
+            let finding = Finding::new(&rules::DUPLICATE_PARAMETER, self.line, name.columns.clone(), message)
+                .beside(line, columns, "the first one");
             self.out.findings.push(finding);
             return;
         }
@@ -232,7 +232,7 @@ impl BodyReader<'_> {
                 let finding = Finding::new(&rules::MACRO_DATA, self.line, columns.clone(), message);
                 self.out.findings.push(finding.replace(format!("write {local}"), columns, local));
                 // What stands between them is meant as data.
-                self.local_data = (entry.name == "DATA").then(|| (self.line, 0..0));
+                self.local_data = (entry.name == "DATA").then_some((self.line, 0..0));
             }
             name => {
                 let message = format!("{name} may not stand in a macro; move it out of the definition");
@@ -246,7 +246,8 @@ impl BodyReader<'_> {
             return;
         }
         if self.local_data.is_none() {
-            let message = format!("{} of a macro belongs into DATA_LOCAL … DATA_LOCAL_END in its body", entry.name);
+            let message =
+                format!("{} of a macro belongs into DATA_LOCAL … DATA_LOCAL_END in its body", entry.name);
             self.report(&rules::MACRO_DATA, operation.columns.clone(), message);
         }
         if entry.name != "DFM" {
@@ -323,8 +324,7 @@ impl BodyReader<'_> {
             Some(near) => format!("{} is no parameter of {header}; did you mean {near}?", name.text),
             None => format!("{} is no parameter of {header}; TMAC. stands before parameters only", name.text),
         };
-        let mut finding =
-            Finding::new(&rules::UNKNOWN_PARAMETER, self.line, name.columns.clone(), message);
+        let mut finding = Finding::new(&rules::UNKNOWN_PARAMETER, self.line, name.columns.clone(), message);
         if let Some(near) = near {
             finding = finding.replace(format!("write {near}"), name.columns.clone(), near);
         }
@@ -344,8 +344,11 @@ impl BodyReader<'_> {
             let message = format!("{0} is a parameter: an instruction takes it as TMAC.{0}", name.text);
             (&rules::MISSING_TMAC, message)
         };
-        let finding = Finding::new(rule, self.line, name.columns.clone(), message)
-            .replace("write TMAC. before the operand", start..start, "TMAC.");
+        let finding = Finding::new(rule, self.line, name.columns.clone(), message).replace(
+            "write TMAC. before the operand",
+            start..start,
+            "TMAC.",
+        );
         self.out.findings.push(finding);
     }
 

@@ -46,10 +46,14 @@ pub(crate) fn find(db: &dyn Db, project: Project) -> Vec<MacroCircle<'_>> {
             }
         }
     }
+    trim(&mut edges);
     let mut found = Vec::new();
     let mut covered = FxHashSet::default();
     for start in &definitions {
         for (target, line, columns) in edges.get(start).into_iter().flatten() {
+            if covered.contains(start) {
+                break;
+            }
             let Some(way) = way(&edges, *target, *start) else { continue };
             if !way.iter().any(|section| covered.contains(section)) {
                 let names: Vec<&str> =
@@ -65,6 +69,31 @@ pub(crate) fn find(db: &dyn Db, project: Project) -> Vec<MacroCircle<'_>> {
         }
     }
     found
+}
+
+/// Drops definitions from which no circle can be reached: all of them, in a program without circles.
+fn trim<'db>(edges: &mut FxHashMap<Section<'db>, Vec<(Section<'db>, u32, Columns)>>) {
+    let mut callers: FxHashMap<Section<'db>, Vec<Section<'db>>> = FxHashMap::default();
+    let mut open: FxHashMap<Section<'db>, usize> = FxHashMap::default();
+    for (from, targets) in edges.iter() {
+        open.insert(*from, targets.len());
+        for (target, ..) in targets {
+            callers.entry(*target).or_default().push(*from);
+        }
+    }
+    let mut ends: Vec<Section<'db>> =
+        callers.keys().filter(|target| !open.contains_key(target)).copied().collect();
+    while let Some(end) = ends.pop() {
+        edges.remove(&end);
+        for caller in callers.remove(&end).into_iter().flatten() {
+            if let Some(left) = open.get_mut(&caller) {
+                *left -= 1;
+                if *left == 0 {
+                    ends.push(caller);
+                }
+            }
+        }
+    }
 }
 
 /// The shortest way from one definition to another, both included.

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 
-use super::definition::{BodyLine, Flags};
+use super::definition::{BodyLine, Flags, MacroDefinition};
 use super::substitute::{self, Bindings, Segment, Spot, Traced};
 use super::table::{self, MacroMeaning, MacroUse};
 use super::{MARK, MAX_DEPTH, MAX_LINES};
 use crate::catalogue;
 use crate::database::{self, Db, NameRef, Project, Section};
-use crate::syntax::ast::{Columns, ExprKind, Line, SyntaxError, key};
+use crate::syntax::ast::{Columns, ExprKind, Line, Name, SyntaxError, key};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{ParsedLines, parse_lines};
 
@@ -108,13 +108,17 @@ impl<'db> Expansion<'db> {
     pub fn written(&self, line: u32, columns: &Columns) -> Option<(Spot, Columns)> {
         let origin = self.origins.get(line as usize)?;
         let Some(body) = &origin.body else {
-            return Some((Spot { definition: None, line: origin.own, column: columns.start }, columns.clone()));
+            return Some((
+                Spot { definition: None, line: origin.own, column: columns.start },
+                columns.clone(),
+            ));
         };
-        let mut spots = body.segments.iter().filter(|segment| {
-            segment.columns.start < columns.end && columns.start < segment.columns.end
-        });
+        let mut spots = body
+            .segments
+            .iter()
+            .filter(|segment| segment.columns.start < columns.end && columns.start < segment.columns.end);
         let first = spots.next()?;
-        let last = spots.last().unwrap_or(first);
+        let last = spots.next_back().unwrap_or(first);
         if (first.spot.definition, first.spot.line) != (last.spot.definition, last.spot.line) {
             return None;
         }
@@ -128,7 +132,7 @@ impl<'db> Expansion<'db> {
         };
         let start = into(first, columns.start.max(first.columns.start), false);
         let end = into(last, columns.end.min(last.columns.end), true);
-        (start <= end).then(|| (Spot { column: start, ..first.spot }, start..end))
+        (start <= end).then_some((Spot { column: start, ..first.spot }, start..end))
     }
 
     /// Columns of the own line that stand for columns of a line: those of an operand that the call wrote, else
@@ -147,10 +151,8 @@ impl<'db> Expansion<'db> {
     pub fn outermost(&self, line: u32) -> Option<u32> {
         let mut call = self.origins.get(line as usize)?.body.as_ref()?.call;
         // A call stands before its lines, so this ends.
-        while let Some(body) = self
-            .calls
-            .get(call as usize)
-            .and_then(|call| self.origins.get(call.line as usize)?.body.as_ref())
+        while let Some(body) =
+            self.calls.get(call as usize).and_then(|call| self.origins.get(call.line as usize)?.body.as_ref())
         {
             call = body.call;
         }
@@ -161,7 +163,8 @@ impl<'db> Expansion<'db> {
     #[must_use]
     pub fn defined(&self, db: &dyn Db, line: u32, columns: &Columns) -> Option<(Section<'db>, u32, Columns)> {
         let body = self.origins.get(line as usize)?.body.as_ref()?;
-        if let Some((Spot { definition: Some(definition), line, .. }, columns)) = self.written(line, columns) {
+        if let Some((Spot { definition: Some(definition), line, .. }, columns)) = self.written(line, columns)
+        {
             return Some((*self.definitions.get(usize::from(definition))?, line, columns));
         }
         // The call wrote it: the whole line of the body stands for what it does with it.
@@ -214,7 +217,8 @@ pub(crate) fn expand<'db>(
         let word = line.operation.as_ref();
         word.is_some_and(|word| builder.called(&word.text, number as u32).is_some())
     };
-    let first = parsed.lines.iter().enumerate().position(|(number, line)| calls(&mut builder, number, line))?;
+    let first =
+        parsed.lines.iter().enumerate().position(|(number, line)| calls(&mut builder, number, line))?;
     let mut errors = parsed.errors.iter().peekable();
     let mut texts = crate::syntax::lines(section.text(db));
     for (number, line) in parsed.lines.iter().enumerate() {
@@ -227,7 +231,7 @@ pub(crate) fn expand<'db>(
         builder.out.parsed.lines.push(line.clone());
         builder.out.origins.push(Origin { own, body: None });
         if number >= first {
-            let traced = |_: ()| Traced::plain(text, Spot { definition: None, line: own, column: 0 });
+            let traced = |()| Traced::plain(text, Spot { definition: None, line: own, column: 0 });
             builder.line(line, own, traced);
         }
     }
@@ -246,8 +250,7 @@ fn tag(db: &dyn Db, section: Section<'_>) -> String {
     let file = section.file(db);
     let included = if file.order(db).is_none() { file.path(db).as_str() } else { "" };
     let words = [included, kind, section.name(db)];
-    let mut tag: String =
-        words.concat().chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+    let mut tag: String = words.concat().chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
     if section.ordinal(db) > 0 {
         tag.push('_');
         tag.push_str(&section.ordinal(db).to_string());
@@ -285,16 +288,14 @@ impl<'db> Builder<'db> {
             return None;
         }
         let key = key(word);
-        let meaning = match self.meanings.get(&key) {
-            Some(known) => *known,
-            None => {
-                let name = NameRef::new(self.db, Arc::from(key.as_str()), None);
-                let found = database::macro_meaning(self.db, self.project, self.section, name);
-                let found = found.somewhere.then_some(found);
-                self.meanings.insert(key, found);
-                found
-            }
-        }?;
+        let known = self.meanings.get(&key).copied();
+        let meaning = known.unwrap_or_else(|| {
+            let name = NameRef::new(self.db, Arc::from(key.as_str()), None);
+            let found = database::macro_meaning(self.db, self.project, self.section, name);
+            let found = found.somewhere.then_some(found);
+            self.meanings.insert(key, found);
+            found
+        })?;
         match meaning.at(own) {
             Some(found) => Some(Called::Macro(found)),
             None => (!is_instruction).then_some(Called::Later),
@@ -333,25 +334,35 @@ impl<'db> Builder<'db> {
         call.definition = Some(found.definition);
         call.flags = found.flags.unwrap_or(definition.flags);
         call.problem = self.refuses(line, definition.parameters.len(), call.flags);
-        let number = self.out.calls.len();
         let stops = call.problem.as_ref().is_some_and(Problem::stops);
         self.out.calls.push(call);
-        if stops {
-            return;
+        if !stops {
+            self.body(found.definition, definition, own, line, &text(()));
         }
-        let text = text(());
-        let actual = line.operands.iter().map(|operand| text.slice(&operand.columns));
+    }
+
+    /// Adds the lines of the last call, which stands in `line` of the text `call`.
+    fn body(
+        &mut self,
+        section: Section<'db>,
+        definition: &MacroDefinition,
+        own: u32,
+        line: &Line,
+        call: &Traced,
+    ) {
+        let number = self.out.calls.len() - 1;
+        let actual = line.operands.iter().map(|operand| call.slice(&operand.columns));
         let unique = |name: &str| format!("{name}{MARK}{}@{}", self.tag, number + 1);
         let with = Bindings {
-            parameters: definition.parameters.iter().map(|name| name.key()).zip(actual).collect(),
+            parameters: definition.parameters.iter().map(Name::key).zip(actual).collect(),
             locals: definition.locals.iter().map(|(_, name)| (name.key(), unique(&name.text))).collect(),
         };
-        let used = self.out.definitions.len() as u16;
-        let index = *self.used.entry(found.definition).or_insert(used);
-        if index == used {
-            self.out.definitions.push(found.definition);
+        let next = self.out.definitions.len() as u16;
+        let index = *self.used.entry(section).or_insert(next);
+        if index == next {
+            self.out.definitions.push(section);
         }
-        self.chain.push(found.definition);
+        self.chain.push(section);
         let mut local = false;
         for line in &definition.body {
             if !self.body_line(line, own, (index, number as u32), &with, &mut local) {

@@ -39,7 +39,8 @@ pub fn without_marks(text: &str) -> String {
     while let Some(at) = rest.find(MARK) {
         shown.push_str(&rest[..at]);
         let tail = &rest[at..];
-        let end = tail.find(|c: char| !(c.is_ascii_alphanumeric() || matches!(c, '_' | '@'))).unwrap_or(tail.len());
+        let end =
+            tail.find(|c: char| !(c.is_ascii_alphanumeric() || matches!(c, '_' | '@'))).unwrap_or(tail.len());
         rest = &tail[end..];
     }
     shown.push_str(rest);

@@ -80,14 +80,18 @@ pub(crate) fn analysis(expansion: &Expansion<'_>, found: SectionAnalysis) -> Sec
 
 /// An operand of a call is one use, however often the expansion has it.
 fn add(references: &mut Vec<Reference>, new: Reference) {
-    let same = references.iter_mut().rev().take_while(|known| known.line == new.line).find(|known| {
-        known.columns == new.columns && known.referent == new.referent
-    });
+    let same = references
+        .iter_mut()
+        .rev()
+        .take_while(|known| known.line == new.line)
+        .find(|known| known.columns == new.columns && known.referent == new.referent);
     match same {
         Some(known) if known.access != new.access => {
             use ReferenceAccess::{Read, ReadWrite, Write};
             known.access = match (known.access, new.access) {
-                (Read | ReadWrite, Write | ReadWrite) | (Write | ReadWrite, Read) | (Write, ReadWrite) => ReadWrite,
+                (Read | ReadWrite, Write | ReadWrite) | (Write | ReadWrite, Read) | (Write, ReadWrite) => {
+                    ReadWrite
+                }
                 (first, _) => first,
             };
         }

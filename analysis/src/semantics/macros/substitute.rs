@@ -98,7 +98,13 @@ impl Traced {
 }
 
 /// Expands a line of a body. `bare`: formal parameters need no TMAC. here (80386 instructions, calls of macros).
-pub(super) fn line(text: &str, operation: Option<&Columns>, bare: bool, origin: Spot, with: &Bindings) -> Traced {
+pub(super) fn line(
+    text: &str,
+    operation: Option<&Columns>,
+    bare: bool,
+    origin: Spot,
+    with: &Bindings,
+) -> Traced {
     let tokens = crate::syntax::tokens(text);
     let mut out = Traced::default();
     // Everything before the operands: label and operation.
@@ -114,16 +120,18 @@ pub(super) fn line(text: &str, operation: Option<&Columns>, bare: bool, origin: 
         let in_head = columns.start < head;
         if !in_head && at > operand_end {
             operand_end = at - 1 + comma(&tokens[at - 1..]);
-            covered = tokens[at - 1..operand_end].windows(2).any(|pair| {
-                pair[1].0 == SyntaxKind::Dot && is_tmac(text, &pair[0])
-            });
+            covered = tokens[at - 1..operand_end]
+                .windows(2)
+                .any(|pair| pair[1].0 == SyntaxKind::Dot && is_tmac(text, &pair[0]));
             operand_end += 1;
         }
         if *kind != SyntaxKind::Name {
             out.push(word, spot, len);
             continue;
         }
-        if !in_head && is_tmac(text, &(*kind, columns.clone())) && tokens.get(at).is_some_and(|t| t.0 == SyntaxKind::Dot)
+        if !in_head
+            && is_tmac(text, &(*kind, columns.clone()))
+            && tokens.get(at).is_some_and(|t| t.0 == SyntaxKind::Dot)
         {
             at += 1;
             continue;
@@ -148,7 +156,9 @@ fn comma(tokens: &[(SyntaxKind, Columns)]) -> usize {
 
 fn is_tmac(text: &str, (kind, columns): &(SyntaxKind, Columns)) -> bool {
     *kind == SyntaxKind::Name
-        && text.get(columns.start as usize..columns.end as usize).is_some_and(|word| word.eq_ignore_ascii_case(TMAC))
+        && text
+            .get(columns.start as usize..columns.end as usize)
+            .is_some_and(|word| word.eq_ignore_ascii_case(TMAC))
 }
 
 #[cfg(test)]
@@ -198,6 +208,9 @@ mod tests {
             .iter()
             .map(|s| (s.columns.clone(), s.spot.definition.is_none(), s.spot.column, s.len))
             .collect();
-        assert_eq!(shown, [(0..4, false, 0, 4), (4..8, true, 3, 4), (8..9, false, 10, 1), (9..21, false, 11, 4)]);
+        assert_eq!(
+            shown,
+            [(0..4, false, 0, 4), (4..8, true, 3, 4), (8..9, false, 10, 1), (9..21, false, 11, 4)]
+        );
     }
 }
