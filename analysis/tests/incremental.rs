@@ -189,7 +189,11 @@ const COPY: &str = "DEF_T_MACRO COPY FROM,TO\nLDR TMAC.FROM\nWR TMAC.TO\nEND_T_M
 
 /// Queries that ran in an edit of a file of that program.
 fn executed_with_macros(edited: &str, from: &str, to: &str) -> BTreeMap<String, usize> {
-    let files = [("t.plc", WITH_MACROS), ("copy.inc", COPY)];
+    executed_in(WITH_MACROS, edited, from, to)
+}
+
+fn executed_in(program: &str, edited: &str, from: &str, to: &str) -> BTreeMap<String, usize> {
+    let files = [("t.plc", program), ("copy.inc", COPY)];
     let before = files.iter().find(|(path, _)| *path == edited).expect("a file of it").1;
     let after = before.replacen(from, to, 1);
     assert_ne!(before, after);
@@ -233,6 +237,23 @@ fn typing_in_one_mechanism_runs_nothing_of_another_also_with_macros() {
         executed_with_macros("t.plc", "KEEP DOOR\nCOPY START,RED\n", "KEEP DOOR\nCOPY START,BLUE\n"),
         counts(&expected)
     );
+}
+
+#[test]
+fn typing_in_one_mechanism_runs_nothing_of_another_also_when_instructions_may_be_macros() {
+    let before = format!("CONTROL_T_MACRO PRE\n{WITH_MACROS}");
+    let expected = [
+        ("sections", 1),
+        ("section_lines", 1),
+        ("section_outline", 1),
+        ("section_declarations", 1),
+        ("section_analysis", 1),
+        ("file_diagnostics", 1),
+        ("expansion", 1),
+        ("expansion_declarations", 1),
+    ];
+    let ran = executed_in(&before, "t.plc", "COPY START,RED\n", "COPY START,BLUE\n");
+    assert_eq!(ran, counts(&expected));
 }
 
 #[test]

@@ -100,6 +100,18 @@ impl Equations {
             );
             self.findings.push(Finding::new(&macros::MACRO_FLAG_MISMATCH, spot.0, spot.1.clone(), message));
         }
+        let unmoved = match flag {
+            StackFlag::Push if before.open.is_some() => self.pushed.len() <= before.pushed.len(),
+            StackFlag::Pop => !before.pushed.is_empty() && self.pushed.len() >= before.pushed.len(),
+            _ => false,
+        };
+        if clean && unmoved {
+            let message = format!(
+                "{} says that {word} moves RLO to or from the stack, but no instruction of its body does",
+                flag.word()
+            );
+            self.findings.push(Finding::new(&macros::MACRO_FLAG_MISMATCH, spot.0, spot.1.clone(), message));
+        }
         let lost = self.open.take().and_then(|open| open.lost);
         self.open = before.open;
         self.pushed = before.pushed;

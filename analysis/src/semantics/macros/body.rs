@@ -32,6 +32,7 @@ pub(crate) fn check(db: &dyn Db, project: Project, section: Section<'_>) -> Sect
         file: place::Context::of(db, project, section, included).file,
         line: 0,
         local_data: None,
+        global_data: None,
         code_seen: false,
         formals: BTreeMap::new(),
         defined: Vec::new(),
@@ -61,6 +62,8 @@ struct BodyReader<'db> {
     line: u32,
     /// Line of the open DATA_LOCAL.
     local_data: Option<(u32, Columns)>,
+    /// The finding about an open DATA.
+    global_data: Option<usize>,
     /// Something other than T_LOCAL stood before.
     code_seen: bool,
     /// Keys of parameters and T_LOCAL symbols: where they are declared.
@@ -226,13 +229,33 @@ impl BodyReader<'_> {
                     self.report(&structure::UNEXPECTED_END, columns, message);
                 }
             }
-            "DATA" | "DATA_END" => {
-                let local = entry.name.replace("DATA", "DATA_LOCAL");
-                let message = format!("data of a macro are local: write {local}");
-                let finding = Finding::new(&rules::MACRO_DATA, self.line, columns.clone(), message);
-                self.out.findings.push(finding.replace(format!("write {local}"), columns, local));
+            "DATA" => {
+                let message = "data of a macro are local: write DATA_LOCAL … DATA_LOCAL_END";
+                let finding = Finding::new(&rules::MACRO_DATA, self.line, columns.clone(), message).replace(
+                    "write DATA_LOCAL … DATA_LOCAL_END",
+                    columns,
+                    "DATA_LOCAL",
+                );
                 // What stands between them is meant as data.
-                self.local_data = (entry.name == "DATA").then_some((self.line, 0..0));
+                self.local_data = Some((self.line, 0..0));
+                self.global_data = Some(self.out.findings.len());
+                self.out.findings.push(finding);
+            }
+            "DATA_END" => {
+                self.local_data = None;
+                let opened = self.global_data.take().and_then(|at| self.out.findings.get_mut(at));
+                if let Some((_, edits)) = opened.and_then(|finding| finding.fix.as_mut()) {
+                    // One mistake: the same fix corrects both lines.
+                    edits.push((self.line, columns, "DATA_LOCAL_END".to_owned()));
+                } else {
+                    let message = "data of a macro are local: write DATA_LOCAL_END";
+                    let finding = Finding::new(&rules::MACRO_DATA, self.line, columns.clone(), message);
+                    self.out.findings.push(finding.replace(
+                        "write DATA_LOCAL_END",
+                        columns,
+                        "DATA_LOCAL_END",
+                    ));
+                }
             }
             name => {
                 let message = format!("{name} may not stand in a macro; move it out of the definition");
