@@ -1,5 +1,7 @@
 //! Macros in the image: an expansion is what its lines would be if they stood there.
 
+use std::fmt::Write as _;
+
 use proptest::prelude::*;
 use technol_image::Program;
 use technol_image::op::Op;
@@ -47,21 +49,20 @@ fn an_expansion_is_the_same_as_its_lines_written_by_hand() {
     let mixed = "DEF_T_MACRO LOADED CELL\n MOV BX,CX\n LOD TMAC.CELL\n STO WORD.TABLE\nEND_T_MACRO\n";
     let mech = |body: &str| format!(" MECH_BEGIN M\n{body}OUT: EX\n MECH_END M\n FL 1,M\n");
     for (macros, with, by_hand) in [
-        (copy, " COPY START,RED\n COPY -DOOR,SMALL.LIMIT\n".to_owned(), " LDR START\n WR RED\n LDR -DOOR\n WR SMALL.LIMIT\n".to_owned()),
-        (wait, mech(" WAIT_FOR START,SMALL\n"), mech(" LDR START\n LA -SMALL.LIMIT\n TEX0 -,50,OUT\n FL 1,RED\n")),
+        (
+            copy,
+            " COPY START,RED\n COPY -DOOR,SMALL.LIMIT\n".to_owned(),
+            " LDR START\n WR RED\n LDR -DOOR\n WR SMALL.LIMIT\n".to_owned(),
+        ),
+        (
+            wait,
+            mech(" WAIT_FOR START,SMALL\n"),
+            mech(" LDR START\n LA -SMALL.LIMIT\n TEX0 -,50,OUT\n FL 1,RED\n"),
+        ),
         (
             &keep,
             " KEEP START\n KEEP DOOR\n".to_owned(),
-            ["START", "DOOR"]
-                .iter()
-                .enumerate()
-                .map(|(n, from)| {
-                    format!(
-                        " DATA_LOCAL\nKEPT{n}: DS 2\n DFM P{n},Q{n},R{n},S{n},T{n},U{n},V{n},W{n}\n DATA_LOCAL_END\n \
-                         EDGE_H {from}\n WR P{n}\n JL0 SKIP{n}\n LOD KEPT{n}\n INR\n STO KEPT{n}\nSKIP{n}:\n"
-                    )
-                })
-                .collect(),
+            format!("{}{}", by_hand_keep(0, "START"), by_hand_keep(1, "DOOR")),
         ),
         (&both, " BOTH START,DOOR\n".to_owned(), " LDR START\n WR RED\n LDR DOOR\n WR GREEN\n".to_owned()),
         (
@@ -73,6 +74,14 @@ fn an_expansion_is_the_same_as_its_lines_written_by_hand() {
     ] {
         assert_eq!(without_lines(program(macros, &with)), without_lines(program("", &by_hand)), "{with}");
     }
+}
+
+/// What the macro KEEP is for the n-th call.
+fn by_hand_keep(n: u32, from: &str) -> String {
+    format!(
+        " DATA_LOCAL\nKEPT{n}: DS 2\n DFM P{n},Q{n},R{n},S{n},T{n},U{n},V{n},W{n}\n DATA_LOCAL_END\n \
+                         EDGE_H {from}\n WR P{n}\n JL0 SKIP{n}\n LOD KEPT{n}\n INR\n STO KEPT{n}\nSKIP{n}:\n"
+    )
 }
 
 /// Lines of a body with `{b}` for a bit and `{c}` for a cell.
@@ -103,12 +112,12 @@ proptest! {
         for (number, body) in bodies.iter().enumerate() {
             // One TMAC. covers an operand, wherever in it it stands.
             let lines = fill(body, "TMAC.ONE", "TMAC.TWO").replace("TMAC.TWO.TMAC.ONE", "TMAC.TWO.ONE");
-            macros.push_str(&format!("DEF_T_MACRO M{number} ONE,TWO\n{lines}END_T_MACRO\n"));
+            writeln!(macros, "DEF_T_MACRO M{number} ONE,TWO\n{lines}END_T_MACRO").expect("a String");
         }
         let (mut with, mut by_hand) = (String::new(), String::new());
         for (which, bit, cell) in &calls {
             let (number, bit, cell) = (which.index(bodies.len()), bits[*bit], cells[*cell]);
-            with.push_str(&format!(" M{number} {bit},{cell}\n"));
+            writeln!(with, " M{number} {bit},{cell}").expect("a String");
             by_hand.push_str(&fill(&bodies[number], bit, cell));
         }
         prop_assert_eq!(without_lines(program(&macros, &with)), without_lines(program("", &by_hand)));
