@@ -12,6 +12,7 @@ pub mod constant;
 pub mod declarations;
 pub mod hir;
 pub mod layout;
+pub mod macros;
 pub mod program;
 pub mod recursion;
 pub mod reference;
@@ -21,6 +22,7 @@ pub(crate) mod suggest;
 
 mod address;
 mod bits;
+mod calls;
 mod constants;
 mod data;
 mod equations;
