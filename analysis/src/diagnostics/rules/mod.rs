@@ -1,4 +1,4 @@
-//! The rules, one file per group, and their registry.
+//! The rules, one file each in the folder of its group, and their registry.
 
 pub mod build;
 pub mod declarations;

@@ -1,0 +1,14 @@
+//! T0801 not-executable.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0801 not-executable.
+pub static NOT_EXECUTABLE: Rule = Rule {
+    code: "T0801",
+    name: "not-executable",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The instruction is known to the editor but this version's target cannot run it. `check` accepts \
+        it, `build` refuses it.",
+    ..Rule::BASE
+};

@@ -1,0 +1,14 @@
+//! T0301 unknown-symbol.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0301 unknown-symbol.
+pub static UNKNOWN_SYMBOL: Rule = Rule {
+    code: "T0301",
+    name: "unknown-symbol",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The name is not declared: not in DATA of any file, not in DATA_LOCAL of this file, and it is not \
+        predefined. The message offers the nearest name. Declare it with DFM, DS or EQUI (manual 3.4).",
+    ..Rule::BASE
+};

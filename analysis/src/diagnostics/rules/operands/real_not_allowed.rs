@@ -1,0 +1,14 @@
+//! T0409 real-not-allowed.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0409 real-not-allowed.
+pub static REAL_NOT_ALLOWED: Rule = Rule {
+    code: "T0409",
+    name: "real-not-allowed",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "A real number or `REAL.` is used with an instruction that computes with integers only (manual 3.16 \
+        lists the real ones). A real constant is written `CNST.1.5` and takes no other prefix.",
+    ..Rule::BASE
+};

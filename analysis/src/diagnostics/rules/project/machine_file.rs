@@ -1,0 +1,15 @@
+//! T0014 machine-file.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0014 machine-file.
+pub static MACHINE_FILE: Rule = Rule {
+    code: "T0014",
+    name: "machine-file",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The file that `[machine] file` of `technol.toml` names cannot be read, or describes a machine that \
+        does not work: an unknown key, a signal that is no port bit, one input driven twice. `technol check` reports \
+        it in that file; the program itself builds, but `technol run` and the embedded target need the machine.",
+    ..Rule::BASE
+};

@@ -1,0 +1,14 @@
+//! T0608 wrong-place.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0608 wrong-place.
+pub static WRONG_PLACE: Rule = Rule {
+    code: "T0608",
+    name: "wrong-place",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The instruction cannot stand here: code belongs into modules, DFM and DS into DATA or DATA_LOCAL, \
+        PROC_BEGIN into MODULE_MAIN, MECH_BEGIN into MODULE_MAIN or MODULE_FAST (manual 5.2).",
+    ..Rule::BASE
+};

@@ -1,0 +1,13 @@
+//! T0109 expected-colon.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0109 expected-colon.
+pub static EXPECTED_COLON: Rule = Rule {
+    code: "T0109",
+    name: "expected-colon",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "A name before DFM, DS or STR ends with a colon (manual 3.3). The fix adds it.",
+    ..Rule::BASE
+};

@@ -1,0 +1,14 @@
+//! T0105 unbalanced-bracket.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0105 unbalanced-bracket.
+pub static UNBALANCED_BRACKET: Rule = Rule {
+    code: "T0105",
+    name: "unbalanced-bracket",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "A bracket has no partner. Expressions are written `(name+n)`, indexed cells `name[BX]` (manual \
+        3.5).",
+    ..Rule::BASE
+};
