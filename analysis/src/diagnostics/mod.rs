@@ -85,6 +85,8 @@ pub struct Rule {
     pub wrong: &'static str,
     /// The same text as it should be.
     pub right: &'static str,
+    /// A fix is offered, at least for some of its mistakes; the one in `wrong` has it.
+    pub fix: bool,
     /// Chapter of the manual, for instance `4.3`; empty for lints that the manual does not mention.
     pub chapter: &'static str,
 }
@@ -100,6 +102,7 @@ impl Rule {
         why: "",
         wrong: "",
         right: "",
+        fix: false,
         chapter: "",
     };
 }

@@ -1,4 +1,12 @@
 //! The rules, one file each in the folder of its group, and their registry.
+//!
+//! `wrong` and `right` of a [`Rule`] are parts of a program; a test completes and checks them:
+//! - Lines without a module stand in MODULE_MAIN of a complete program, whose DATA declares START, DOOR, LIMIT, READY,
+//!   FAULT, MOTOR, PUMP, LAMP, VALVE and M0 to M7 (bits), SMALL (BYTE), MIDDLE (WORD), LARGE (DWORD), RATIO (8 bytes),
+//!   TABLE (30 bytes) and the constant TEN.
+//! - When a DATA or MODULE_ section is among the lines, each section replaces the one of its name, and what stands between
+//!   them goes before DATA.
+//! - `;=== name.ext` begins a further file of the project; `;=== main.plc` a main file that is complete as it is.
 
 pub mod build;
 pub mod declarations;
@@ -9,6 +17,8 @@ pub mod project;
 pub mod sequences;
 pub mod structure;
 pub mod syntax;
+
+mod page;
 
 use super::Rule;
 
@@ -107,18 +117,14 @@ pub fn rule(code: &str) -> Option<&'static Rule> {
 /// The page of a rule in Markdown, by code or name; what `technol explain T0301` shows.
 #[must_use]
 pub fn explain(code_or_name: &str) -> Option<String> {
-    let rule = rule(code_or_name)
-        .or_else(|| RULES.iter().copied().find(|rule| rule.name.eq_ignore_ascii_case(code_or_name)))?;
-    let severity = rule.severity.name();
-    let setting = if rule.fixed {
-        String::from("It cannot be lowered: such a program cannot be built.")
-    } else {
-        format!(
-            "`[lints] {} = \"off\"` in technol.toml (or `hint`, `warning`, `error`) changes it.",
-            rule.code
-        )
-    };
-    Some(format!("# {} {}\n\n{severity}. {setting}\n\n{}\n", rule.code, rule.name, rule.explanation))
+    find(code_or_name).map(page::markdown)
+}
+
+/// The rule with a code or a name, in any case.
+#[must_use]
+pub fn find(code_or_name: &str) -> Option<&'static Rule> {
+    rule(code_or_name)
+        .or_else(|| RULES.iter().copied().find(|rule| rule.name.eq_ignore_ascii_case(code_or_name)))
 }
 
 #[cfg(test)]
@@ -138,6 +144,7 @@ mod tests {
         for rule in RULES {
             let page = explain(rule.code).expect("a page");
             assert!(page.contains(rule.name) && rule.explanation.len() > 60, "{}", rule.code);
+            assert!(page.contains("## Why") && page.contains("## Right"), "{}", rule.code);
             assert_eq!(explain(rule.name), Some(page));
         }
         assert_eq!(explain("T9999"), None);

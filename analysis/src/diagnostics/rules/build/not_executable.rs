@@ -10,5 +10,13 @@ pub static NOT_EXECUTABLE: Rule = Rule {
     fixed: true,
     explanation: "The instruction is known to the editor but this version's target cannot run it. `check` accepts \
         it, `build` refuses it.",
+    why: "The editor knows every instruction of the language; the target that comes with it executes a \
+        part of them, and silence would hide the difference.",
+    wrong: "\
+IMUL BX
+",
+    right: "\
+NOP
+",
     ..Rule::BASE
 };

@@ -10,5 +10,16 @@ pub static OPEN_EQUATION: Rule = Rule {
     fixed: false,
     explanation: "The section ends while an equation is open: its result goes nowhere. Close it with a terminal \
         instruction such as WR or FL1 (manual 3.6).",
+    why: "The next module's first LDR pushes the value that was left, and its stack is no longer balanced.",
+    wrong: "\
+LDR START
+LA DOOR
+",
+    right: "\
+LDR START
+LA DOOR
+WR MOTOR
+",
+    chapter: "3.6",
     ..Rule::BASE
 };

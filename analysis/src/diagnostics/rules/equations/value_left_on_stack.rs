@@ -12,5 +12,20 @@ pub static VALUE_LEFT_ON_STACK: Rule = Rule {
         module, mechanism or procedure, or before CHECK (manual 3.6). Either LA, LO or LX without operand \
         is missing, or the equation before the LDR was not closed by a terminal instruction (WR, FL1, JL0, \
         JL1, STO1, EX0 …).",
+    why: "The stack fills up from cycle to cycle, and later equations take values that are not theirs.",
+    wrong: "\
+LDR START
+LA DOOR
+LDR M0
+WR MOTOR
+",
+    right: "\
+LDR START
+LA DOOR
+LDR M0
+LO
+WR MOTOR
+",
+    chapter: "3.6",
     ..Rule::BASE
 };

@@ -10,5 +10,20 @@ pub static UNKNOWN_LABEL: Rule = Rule {
     fixed: true,
     explanation: "The jump leads to a label that does not stand in the same module, mechanism or procedure. Jumps do \
         not cross their borders. Put `NAME:` before the target.",
+    why: "The jump has no target.",
+    wrong: "\
+LDR START
+JL0 REDAY
+FL 1,MOTOR
+READY:
+",
+    right: "\
+LDR START
+JL0 READY
+FL 1,MOTOR
+READY:
+",
+    chapter: "3.12",
+    fix: true,
     ..Rule::BASE
 };

@@ -9,5 +9,15 @@ pub static CONSTANT_DESTINATION: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The instruction writes to this operand, and a constant cannot be written to. Name a cell.",
+    why: "A constant is no memory, so there is nothing to write to.",
+    wrong: "\
+LOD SMALL
+STO TEN
+",
+    right: "\
+LOD SMALL
+STO MIDDLE
+",
+    chapter: "3.9",
     ..Rule::BASE
 };

@@ -9,5 +9,13 @@ pub static NUMBER_OUT_OF_RANGE: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "The number is outside what the operand allows; the message gives the bounds.",
+    why: "Numbers outside the range have no meaning for the instruction.",
+    wrong: "\
+FL 2,MOTOR
+",
+    right: "\
+FL 1,MOTOR
+",
+    chapter: "3.9",
     ..Rule::BASE
 };

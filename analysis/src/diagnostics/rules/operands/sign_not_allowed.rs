@@ -10,5 +10,15 @@ pub static SIGN_NOT_ALLOWED: Rule = Rule {
     fixed: true,
     explanation: "A `-` that negates is allowed only where the operand is read by LDR, LA, LO, LX and LOD (manual \
         3.5, 3.10) and before constants.",
+    why: "A destination has no sign: the negation would be lost.",
+    wrong: "\
+LDR START
+WR -MOTOR
+",
+    right: "\
+LDR -START
+WR MOTOR
+",
+    chapter: "3.5",
     ..Rule::BASE
 };

@@ -10,5 +10,19 @@ pub static WRONG_VALUE: Rule = Rule {
     fixed: true,
     explanation: "A value of `technol.toml` has the wrong type or is not one of the allowed words. The default is \
         used instead. The message names what is expected.",
+    why: "The default that replaces the value may change what the program does, for instance how its texts \
+        are decoded.",
+    wrong: "\
+;=== technol.toml
+[project]
+name = \"lathe\"
+encoding = \"latin2\"
+",
+    right: "\
+;=== technol.toml
+[project]
+name = \"lathe\"
+encoding = \"windows-1250\"
+",
     ..Rule::BASE
 };

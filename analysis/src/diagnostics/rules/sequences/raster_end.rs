@@ -10,5 +10,21 @@ pub static RASTER_END: Rule = Rule {
     fixed: true,
     explanation: "The end label of a DFTM block stands after it in the same module, mechanism or procedure (manual \
         3.11).",
+    why: "The block is skipped by a jump to its end; an end before the beginning would make a loop.",
+    wrong: "\
+SECOND:
+DFTM1 SECOND
+LOD MIDDLE
+INR
+STO MIDDLE
+",
+    right: "\
+DFTM1 SECOND
+LOD MIDDLE
+INR
+STO MIDDLE
+SECOND:
+",
+    chapter: "3.11",
     ..Rule::BASE
 };

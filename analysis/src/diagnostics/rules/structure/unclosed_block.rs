@@ -10,5 +10,18 @@ pub static UNCLOSED_BLOCK: Rule = Rule {
     fixed: true,
     explanation: "A module, mechanism, procedure or data block has no closing line. It is taken to end where the \
         next one begins.",
+    why: "Everything that follows would belong to the block, with its labels and its equations.",
+    wrong: "\
+MODULE_MAIN
+LDR START
+WR MOTOR
+",
+    right: "\
+MODULE_MAIN
+LDR START
+WR MOTOR
+MODULE_MAIN_END
+",
+    chapter: "5.1",
     ..Rule::BASE
 };

@@ -9,5 +9,16 @@ pub static EXPECTED_OPERATION: Rule = Rule {
     severity: Severity::Error,
     fixed: true,
     explanation: "A line begins with a label and its colon, an instruction, or a comment after `;`.",
+    why: "A line without an operation does nothing, so something was left out.",
+    wrong: "\
+5,START
+LDR START
+WR MOTOR
+",
+    right: "\
+LDR START
+WR MOTOR
+",
+    chapter: "3.1",
     ..Rule::BASE
 };

@@ -9,5 +9,16 @@ pub static MISSPELLED_PREFIX: Rule = Rule {
     severity: Severity::Warning,
     fixed: false,
     explanation: "`CNTS.` is a common misspelling of `CNST.`. It is read as `CNST.`; the fix corrects it.",
+    why: "Other tools do not know this spelling.",
+    wrong: "\
+LOD CNTS.5
+STO SMALL
+",
+    right: "\
+LOD CNST.5
+STO SMALL
+",
+    chapter: "3.9",
+    fix: true,
     ..Rule::BASE
 };

@@ -10,5 +10,17 @@ pub static UNCLOSED_TEXT: Rule = Rule {
     fixed: true,
     explanation: "A text begins with an apostrophe and never ends on its line. Close it; an apostrophe inside a text \
         is written twice.",
+    why: "The rest of the line, its comment included, would become part of the text.",
+    wrong: "\
+DATA
+TITLE: STR 8,'READY
+DATA_END
+",
+    right: "\
+DATA
+TITLE: STR 8,'READY'
+DATA_END
+",
+    chapter: "3.4",
     ..Rule::BASE
 };

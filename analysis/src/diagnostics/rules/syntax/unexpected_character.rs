@@ -10,5 +10,15 @@ pub static UNEXPECTED_CHARACTER: Rule = Rule {
     fixed: true,
     explanation: "The character has no meaning at this place. A line is `[label:] [operation [operand {, operand}]] \
         [;comment]` (manual 3.1).",
+    why: "What follows the character cannot be read reliably, so the line is not translated.",
+    wrong: "\
+LDR START!
+WR MOTOR
+",
+    right: "\
+LDR START
+WR MOTOR
+",
+    chapter: "3.1",
     ..Rule::BASE
 };
