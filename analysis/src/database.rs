@@ -13,6 +13,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::diagnostics::Diagnostic;
+use crate::diagnostics::allow::Allows;
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Exports};
@@ -168,6 +169,12 @@ pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
 #[salsa::tracked]
 pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines {
     syntax::parse_lines(section.text(db))
+}
+
+/// Comments of a section that allow what rules report.
+#[salsa::tracked]
+pub fn section_allows<'db>(db: &'db dyn Db, section: Section<'db>) -> Allows {
+    crate::diagnostics::allow::read(&section_lines(db, section).lines, section.text(db))
 }
 
 /// What the structure of the file needs of a section's lines.

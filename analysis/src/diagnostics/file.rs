@@ -1,7 +1,7 @@
 //! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
 
 use super::rules::{declarations, operands, project as project_rules, sequences, syntax as syntax_rules};
-use super::{Anchor, Diagnostic, Finding, Fix, syntax};
+use super::{Anchor, Diagnostic, Finding, Fix, allow, syntax};
 use crate::database::{self, Db, Project, Section, Site, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
@@ -21,6 +21,7 @@ pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Di
     found.extend(structure::check(db, file));
     clashes(db, project, file, &mut found);
     recursion(db, project, file, &mut found);
+    allow::apply(db, file, &mut found);
     let mut diagnostics: Vec<Diagnostic> =
         found.iter().filter_map(|(section, finding)| absolute(db, project, *section, finding)).collect();
     diagnostics.sort_by(|a, b| (a.span, a.code, &a.message).cmp(&(b.span, b.code, &b.message)));

@@ -8,6 +8,7 @@
 //!   them goes before DATA.
 //! - `;=== name.ext` begins a further file of the project; `;=== main.plc` a main file that is complete as it is.
 
+pub mod allow;
 pub mod build;
 pub mod declarations;
 pub mod equations;
@@ -106,6 +107,10 @@ pub static RULES: &[&Rule] = &[
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
     &build::NOT_TRANSLATABLE,
+    &allow::UNUSED_ALLOW,
+    &allow::UNKNOWN_ALLOW,
+    &allow::ALLOW_FIXED,
+    &allow::BAD_ALLOW,
 ];
 
 /// The rule with `code`, in any case.
