@@ -21,6 +21,12 @@ pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Di
     found.extend(structure::check(db, file));
     clashes(db, project, file, &mut found);
     recursion(db, project, file, &mut found);
+    let sections = database::sections(db, file);
+    found.extend(
+        database::file_lints(db, project, file)
+            .iter()
+            .filter_map(|(index, finding)| Some((*sections.get(*index as usize)?, finding.clone()))),
+    );
     allow::apply(db, file, &mut found);
     let mut diagnostics: Vec<Diagnostic> =
         found.iter().filter_map(|(section, finding)| absolute(db, project, *section, finding)).collect();

@@ -8,7 +8,7 @@ use super::hir::Operand;
 use super::scope::Symbol;
 use crate::catalogue::{Effect, Entry};
 use crate::diagnostics::Rule;
-use crate::diagnostics::rules::operands as rules;
+use crate::diagnostics::rules::{lints, operands as rules};
 use crate::syntax::ast::{Expr, Line};
 
 /// Checks the operands of a line against each other; each of them is valid by itself. The prefix of a counter is
@@ -61,6 +61,19 @@ fn covered_time(reader: &mut CodeReader<'_>, line: &Line, resolved: &mut [Operan
                 prefix.prefix.name()
             );
             reader.report(&rules::PREFIX_COVERS_TIME, time.columns.clone(), message);
+        }
+        (None, Operand::Integer { value, .. }) if *of_counter == Width::Byte && *value > 0xFF => {
+            let message =
+                format!("a BYTE counts to 255 and never reaches {value}; declare the counter with DS 2");
+            reader.report(&lints::COUNTER_TOO_NARROW, time.columns.clone(), message);
+        }
+        (None, Operand::Cell { width, .. }) if *width != Width::DWord && width != of_counter => {
+            let message = format!(
+                "the counter is {}, the time {}; both must have one type",
+                name(*of_counter),
+                name(*width)
+            );
+            reader.report(&rules::DIFFERENT_TYPES, time.columns.clone(), message);
         }
         (None, time_operand) => untyped_time(reader, time, Some(time_operand)),
         _ => {}

@@ -12,6 +12,7 @@ pub mod allow;
 pub mod build;
 pub mod declarations;
 pub mod equations;
+pub mod lints;
 pub mod names;
 pub mod operands;
 pub mod project;
@@ -111,6 +112,27 @@ pub static RULES: &[&Rule] = &[
     &allow::UNKNOWN_ALLOW,
     &allow::ALLOW_FIXED,
     &allow::BAD_ALLOW,
+    &lints::TWO_WRITERS,
+    &lints::NEVER_WRITTEN,
+    &lints::NEVER_READ,
+    &lints::UNUSED_VARIABLE,
+    &lints::MECHANISM_NEVER_STARTED,
+    &lints::ENDLESS_WAIT,
+    &lints::MOTION_BLOCK_WAIT,
+    &lints::TIMEOUT_WITHOUT_PATH,
+    &lints::UNREACHABLE_CODE,
+    &lints::UNUSED_LABEL,
+    &lints::UNUSED_CONSTANT,
+    &lints::UNUSED_PROCEDURE,
+    &lints::UNUSED_MACRO,
+    &lints::OVERLAPPING_OVERLAYS,
+    &lints::COUNTER_TOO_NARROW,
+    &lints::READ_ONLY_CELL,
+    &lints::DEBUG_LEFT_ON,
+    &lints::TIMER_NEVER_ENDS,
+    &lints::ALWAYS_THE_SAME,
+    &lints::BCD_RANGE,
+    &lints::STALE_REAL,
 ];
 
 /// The rule with `code`, in any case.

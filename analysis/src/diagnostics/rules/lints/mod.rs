@@ -1,0 +1,45 @@
+//! What an expert would remark.
+
+mod always_the_same;
+mod bcd_range;
+mod counter_too_narrow;
+mod debug_left_on;
+mod endless_wait;
+mod mechanism_never_started;
+mod motion_block_wait;
+mod never_read;
+mod never_written;
+mod overlapping_overlays;
+mod read_only_cell;
+mod stale_real;
+mod timeout_without_path;
+mod timer_never_ends;
+mod two_writers;
+mod unreachable_code;
+mod unused_constant;
+mod unused_label;
+mod unused_macro;
+mod unused_procedure;
+mod unused_variable;
+
+pub use always_the_same::ALWAYS_THE_SAME;
+pub use bcd_range::BCD_RANGE;
+pub use counter_too_narrow::COUNTER_TOO_NARROW;
+pub use debug_left_on::DEBUG_LEFT_ON;
+pub use endless_wait::ENDLESS_WAIT;
+pub use mechanism_never_started::MECHANISM_NEVER_STARTED;
+pub use motion_block_wait::MOTION_BLOCK_WAIT;
+pub use never_read::NEVER_READ;
+pub use never_written::NEVER_WRITTEN;
+pub use overlapping_overlays::OVERLAPPING_OVERLAYS;
+pub use read_only_cell::READ_ONLY_CELL;
+pub use stale_real::STALE_REAL;
+pub use timeout_without_path::TIMEOUT_WITHOUT_PATH;
+pub use timer_never_ends::TIMER_NEVER_ENDS;
+pub use two_writers::TWO_WRITERS;
+pub use unreachable_code::UNREACHABLE_CODE;
+pub use unused_constant::UNUSED_CONSTANT;
+pub use unused_label::UNUSED_LABEL;
+pub use unused_macro::UNUSED_MACRO;
+pub use unused_procedure::UNUSED_PROCEDURE;
+pub use unused_variable::UNUSED_VARIABLE;
