@@ -88,6 +88,8 @@ pub struct Rule {
     pub right: &'static str,
     /// A fix is offered, at least for some of its mistakes; the one in `wrong` has it.
     pub fix: bool,
+    /// What it marks is superfluous: editors show it faded.
+    pub unnecessary: bool,
     /// Chapter of the manual, for instance `4.3`; empty for lints that the manual does not mention.
     pub chapter: &'static str,
 }
@@ -104,6 +106,7 @@ impl Rule {
         wrong: "",
         right: "",
         fix: false,
+        unnecessary: false,
         chapter: "",
     };
 }

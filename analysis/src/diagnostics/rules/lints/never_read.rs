@@ -31,5 +31,6 @@ INR
 STO STROKES
 MODULE_MAIN_END
 ",
+    unnecessary: true,
     ..Rule::BASE
 };

@@ -27,5 +27,6 @@ JL1 OVER
 FL 1,LAMP
 OVER:
 ",
+    unnecessary: true,
     ..Rule::BASE
 };

@@ -20,5 +20,6 @@ DATA_END
 DATA
 DATA_END
 ",
+    unnecessary: true,
     ..Rule::BASE
 };

@@ -20,5 +20,6 @@ READY:
 LDR START
 WR MOTOR
 ",
+    unnecessary: true,
     ..Rule::BASE
 };

@@ -24,5 +24,6 @@ FL 0,MOTOR
 MODULE_MAIN_END
 ",
     chapter: "22",
+    unnecessary: true,
     ..Rule::BASE
 };

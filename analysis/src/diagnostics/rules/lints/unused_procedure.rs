@@ -22,5 +22,6 @@ PROC_BEGIN AT_REST
 FL 0,MOTOR
 PROC_END AT_REST
 ",
+    unnecessary: true,
     ..Rule::BASE
 };

@@ -27,5 +27,6 @@ INR
 STO TEMP
 MODULE_MAIN_END
 ",
+    unnecessary: true,
     ..Rule::BASE
 };
