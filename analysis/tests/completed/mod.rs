@@ -57,7 +57,7 @@ pub(crate) fn project_of(text: &str) -> BTreeMap<String, String> {
             let whole = match name.as_str() {
                 "main.plc" if raw => text,
                 "main.plc" => completed(MAIN_FILE, &text),
-                further if further.ends_with(".plc") => completed(FURTHER_FILE, &text),
+                further if is_program(further) => completed(FURTHER_FILE, &text),
                 _ => text,
             };
             (name, whole)
@@ -66,13 +66,17 @@ pub(crate) fn project_of(text: &str) -> BTreeMap<String, String> {
     if !project.contains_key("technol.toml") {
         let further: Vec<String> = project
             .keys()
-            .filter(|name| name.ends_with(".plc") && *name != "main.plc")
+            .filter(|name| is_program(name) && *name != "main.plc")
             .map(|name| format!("{name:?}"))
             .collect();
         let manifest = format!("[project]\nname = \"example\"\nfiles = [{}]\n", further.join(", "));
         project.insert("technol.toml".to_string(), manifest);
     }
     project
+}
+
+fn is_program(name: &str) -> bool {
+    std::path::Path::new(name).extension().is_some_and(|it| it == "plc")
 }
 
 /// A part between modules (`keyword` is `None`) or a section with its opening line.

@@ -132,6 +132,8 @@ pub static RULES: &[&Rule] = &[
     &lints::TIMER_NEVER_ENDS,
     &lints::ALWAYS_THE_SAME,
     &lints::BCD_RANGE,
+    &lints::OVERLAY_ELSEWHERE,
+    &lints::NUMBER_TEXT_SIZE,
     &lints::STALE_REAL,
 ];
 

@@ -33,8 +33,7 @@ pub(super) struct Code<'a> {
 /// The lints of a section all of whose lines are understood.
 pub(super) fn section(code: &Code<'_>) -> Vec<Finding> {
     let mut findings = Vec::new();
-    reach::unreachable(code, &mut findings);
-    reach::unused_labels(code, &mut findings);
+    reach::check(code, &mut findings);
     motion::waits(code, &mut findings);
     timeout::without_path(code, &mut findings);
     findings

@@ -198,15 +198,11 @@ impl Judge<'_> {
         let message =
             format!("this waits for {shown}, but nothing sets it: the sequence stays here for ever");
         let key = name.name.key();
-        match self.place(&key, Use::AWAITED) {
-            Some((at, line, columns)) => {
-                let finding = Finding::new(&rules::ENDLESS_WAIT, line, columns, message);
-                self.found.push((at, finding));
-            }
-            None => {
-                let message = format!("a sequence waits for {shown}, but nothing sets it");
-                self.add(section, &rules::ENDLESS_WAIT, name, message);
-            }
+        if let Some((at, line, columns)) = self.place(&key, Use::AWAITED) {
+            self.found.push((at, Finding::new(&rules::ENDLESS_WAIT, line, columns, message)));
+        } else {
+            let message = format!("a sequence waits for {shown}, but nothing sets it");
+            self.add(section, &rules::ENDLESS_WAIT, name, message);
         }
     }
 

@@ -3,14 +3,15 @@
 //!
 //! It rather says too much than too little: what is not understood counts as read and written.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
 use technol_image::program::ModuleKind;
 
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind};
 use crate::syntax::ParsedLines;
-use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Number, key};
+use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Number, SIGNIFICANT, key};
 use crate::syntax::section::SectionKind;
 
 /// What is done with a name.
@@ -63,7 +64,7 @@ pub struct Uses {
 
 /// The summary of a section's lines.
 pub(crate) fn uses(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Uses {
-    let mut reader = Reader { names: BTreeMap::new(), loaded: None };
+    let mut reader = Reader { names: FxHashMap::default(), loaded: None };
     let errors = parsed.error_lines();
     for (number, (line, source)) in parsed.lines.iter().zip(crate::syntax::lines(text)).enumerate() {
         let broken = errors.binary_search(&(number as u32)).is_ok();
@@ -79,7 +80,9 @@ pub(crate) fn uses(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Uses 
     }
     let cyclic =
         matches!(kind, SectionKind::Mechanism | SectionKind::Module(ModuleKind::Main | ModuleKind::Input));
-    Uses { names: reader.names.into_iter().collect(), cyclic }
+    let mut names: Vec<(Arc<str>, Use)> = reader.names.into_iter().collect();
+    names.sort_unstable_by(|(a, _), (b, _)| a.cmp(b));
+    Uses { names, cyclic }
 }
 
 /// Own lines where a name is written by WR or MOVR, or awaited: the place of a finding about it.
@@ -106,18 +109,21 @@ pub(super) fn place_of(lines: &[Line], name: &str, what: Use) -> Option<(u32, Co
 }
 
 struct Reader {
-    names: BTreeMap<Arc<str>, Use>,
+    names: FxHashMap<Arc<str>, Use>,
     /// The line before loads this bit alone.
     loaded: Option<Arc<str>>,
 }
 
 impl Reader {
     fn add(&mut self, name: &str, what: Use) {
-        let key = key(name);
-        match self.names.get_mut(key.as_str()) {
+        // Most names are written as they are known: no need to make a new one.
+        let known =
+            name.len() <= SIGNIFICANT && !name.bytes().any(|b| b.is_ascii_lowercase() || !b.is_ascii());
+        let key = if known { Cow::Borrowed(name) } else { Cow::Owned(key(name)) };
+        match self.names.get_mut(key.as_ref()) {
             Some(before) => *before = before.and(what),
             None => {
-                self.names.insert(Arc::from(key), what);
+                self.names.insert(Arc::from(key.as_ref()), what);
             }
         }
     }
