@@ -12,7 +12,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::allow::Allows;
+use crate::diagnostics::{Diagnostic, Finding};
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
@@ -23,6 +24,8 @@ use crate::semantics::macros::declare::{self, ExpansionDeclarations, ExpansionEx
 use crate::semantics::macros::definition::{self, MacroDefinition};
 use crate::semantics::macros::expand::{self, Expansion};
 use crate::semantics::macros::table::{self, FileMacros, MacroMeaning, MacroTable};
+use crate::semantics::lints::project::{self as lints, NameUses};
+use crate::semantics::lints::uses::{self, Uses};
 use crate::semantics::program::Parts;
 use crate::semantics::recursion::RecursiveCall;
 use crate::semantics::scope::{Scope, Symbol};
@@ -186,6 +189,42 @@ pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
 #[salsa::tracked]
 pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines {
     syntax::parse_lines(section.text(db))
+}
+
+/// Comments of a section that allow what rules report.
+#[salsa::tracked]
+pub fn section_allows<'db>(db: &'db dyn Db, section: Section<'db>) -> Allows {
+    crate::diagnostics::allow::read(&section_lines(db, section).lines, section.text(db))
+}
+
+/// What a section does with names, without positions.
+#[salsa::tracked]
+pub fn section_uses<'db>(db: &'db dyn Db, section: Section<'db>) -> Uses {
+    uses::uses(section_lines(db, section), section.text(db), section.kind(db))
+}
+
+/// What a file does with names.
+#[salsa::tracked]
+pub fn file_uses(db: &dyn Db, file: SourceFile) -> NameUses {
+    lints::file_uses(db, file)
+}
+
+/// What a file does with names that it does not declare.
+#[salsa::tracked]
+pub fn foreign_uses(db: &dyn Db, file: SourceFile) -> NameUses {
+    lints::foreign_uses(db, file)
+}
+
+/// What files do with names of other files.
+#[salsa::tracked]
+pub fn shared_uses(db: &dyn Db, project: Project) -> NameUses {
+    lints::shared_uses(db, project)
+}
+
+/// Names of a file that nobody uses as they are meant: index in its sections, and the finding.
+#[salsa::tracked]
+pub fn file_lints(db: &dyn Db, project: Project, file: SourceFile) -> Vec<(u32, Finding)> {
+    lints::file_lints(db, project, file)
 }
 
 /// What the structure of the file needs of a section's lines.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use salsa::{Cancelled, Durability, Setter};
 
 use crate::database::{self, Database, Project, SourceFile};
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Fix};
 use crate::project::{LoadedFile, LoadedProject, include_names};
 
 /// The answer of a snapshot, or that a change overtook it: ask the next snapshot.
@@ -202,6 +202,19 @@ impl Analysis {
         }
         found.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         Ok(found)
+    }
+
+    /// The change that allows a diagnostic of a file on its line; `None` when its rule cannot be allowed, or when the
+    /// file is no program text.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn allow(&self, file: &str, diagnostic: &Diagnostic) -> Cancellable<Option<Fix>> {
+        let Some(source) = self.file(file) else { return Ok(None) };
+        self.with(|db, _| {
+            let line = crate::syntax::lines(source.text(db)).nth(diagnostic.span.start.line as usize)?;
+            crate::diagnostics::allow::fix(diagnostic, line.text)
+        })
     }
 
     /// Mistakes of every file that has some, program files in order of execution first.

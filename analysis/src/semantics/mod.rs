@@ -3,7 +3,7 @@
 //! `collect` reads what a section declares, `program` joins that to the scope of the project, `code` walks the lines
 //! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `sum`,
 //! `bits`, `data` and `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
-//! files.
+//! files, `lints` at what an expert would remark.
 
 pub mod analysis;
 pub(crate) mod code;
@@ -13,6 +13,7 @@ pub mod declarations;
 pub mod hir;
 pub mod layout;
 pub mod macros;
+pub mod lints;
 pub mod program;
 pub mod recursion;
 pub mod reference;
