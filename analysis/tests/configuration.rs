@@ -145,14 +145,14 @@ const CHANNEL: &str = "<Plc>\n <Input ID=\"inDoor\" Port=\"1\" Bit=\"2\" Connect
 fn files_beside_the_program_are_found_unless_the_manifest_says_which() {
     let init = "        MAP_IN inDoor,'inDor'\n";
     let beside = Memory::default().with("main.plc", program(init, "")).with("a.ChannelConfig", CHANNEL);
-    assert_eq!(beside.found(), ["main.plc:20:23 T0911"]);
+    assert_eq!(beside.found(), ["main.plc:19:23 T0911"]);
     let none = beside.clone().with("technol.toml", "[project]\nname = \"t\"\nconfiguration = []\n");
     assert_eq!(none.found(), Vec::<String>::new());
     let folder = Memory::default()
         .with("main.plc", program(init, ""))
         .with("config/a.ChannelConfig", CHANNEL)
         .with("technol.toml", "[project]\nname = \"t\"\nconfiguration = [\"config\"]\n");
-    assert_eq!(folder.found(), ["main.plc:20:23 T0911"]);
+    assert_eq!(folder.found(), ["main.plc:19:23 T0911"]);
     let missing = none.with("technol.toml", "[project]\nname = \"t\"\nconfiguration = [\"b.PlcErrors\", \"c\"]\n");
     assert_eq!(missing.found(), ["technol.toml:3:18 T0004", "technol.toml:3:33 T0004"]);
 }
@@ -173,7 +173,7 @@ fn a_broken_file_silences_what_it_may_have_defined() {
         .with("main.plc", program("        MAP_IN inDoor,'inDoor'\n", "        ESET 9\n"))
         .with("a.ChannelConfig", "<Plc><Input ID=\"inDoor\"</Plc>")
         .with("b.PlcErrors", "<PlcErrors/>");
-    assert_eq!(files.found(), ["main.plc:16:14 T0921", "a.ChannelConfig:1:24 T0901"]);
+    assert_eq!(files.found(), ["main.plc:17:14 T0921", "a.ChannelConfig:1:24 T0901"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::logical;
 use crate::catalogue::ConfigElement;
-use crate::configuration::uses::MessageUse;
+use crate::configuration::uses::{IdentifierUse, MessageUse};
 use crate::database::{self, Db, Project};
 
 /// What the program takes from configuration files.
@@ -53,8 +53,7 @@ pub(crate) fn project_uses(db: &dyn Db, project: Project) -> ProjectUses {
             loaded.extend(&uses.loaded);
             for it in &uses.identifiers {
                 if matches!(it.element, ConfigElement::LogicalInput | ConfigElement::LogicalOutput) {
-                    all.logical.insert((it.element, logical::normal(&it.text)), it.kind.clone());
-                    all.spelled.entry(it.element).or_default().insert(it.text.to_string());
+                    all.logical(it);
                 } else {
                     all.identifiers.insert((it.element, it.text.to_string()));
                 }
@@ -71,6 +70,16 @@ pub(crate) fn project_uses(db: &dyn Db, project: Project) -> ProjectUses {
 }
 
 impl ProjectUses {
+    /// A form that no connection can meet is reported where it stands; here it counts as what was meant.
+    fn logical(&mut self, it: &IdentifierUse) {
+        let end = logical::end(&it.text);
+        let name = if end.group.element().is_some() { end.name } else { &*it.text };
+        let normal = logical::normal(name);
+        let base = logical::without_index(&normal).map_or(normal.clone(), str::to_string);
+        self.logical.insert((it.element, base), it.kind.clone());
+        self.spelled.entry(it.element).or_default().insert(name.to_string());
+    }
+
     fn message(&mut self, it: &MessageUse) {
         let Some(number) = it.number else {
             self.messages_from_dr = true;
