@@ -1,9 +1,11 @@
 //! Configuration files: each rule's own example, files of a project, and texts nobody meant.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex};
 
 use proptest::prelude::*;
 use technol_analysis::configuration::{self, ConfigKind};
+use technol_analysis::database::Database;
 use technol_analysis::diagnostics::RULES;
 use technol_analysis::project::{Encoding, FileReader, encode, load};
 use technol_analysis::{AnalysisHost, Change, Diagnostic};
@@ -153,7 +155,8 @@ fn files_beside_the_program_are_found_unless_the_manifest_says_which() {
         .with("config/a.ChannelConfig", CHANNEL)
         .with("technol.toml", "[project]\nname = \"t\"\nconfiguration = [\"config\"]\n");
     assert_eq!(folder.found(), ["main.plc:19:23 T0911"]);
-    let missing = none.with("technol.toml", "[project]\nname = \"t\"\nconfiguration = [\"b.PlcErrors\", \"c\"]\n");
+    let missing =
+        none.with("technol.toml", "[project]\nname = \"t\"\nconfiguration = [\"b.PlcErrors\", \"c\"]\n");
     assert_eq!(missing.found(), ["technol.toml:3:18 T0004", "technol.toml:3:33 T0004"]);
 }
 
@@ -161,10 +164,14 @@ fn files_beside_the_program_are_found_unless_the_manifest_says_which() {
 fn a_declared_encoding_is_obeyed() {
     let text = "<?xml version=\"1.0\" encoding=\"windows-1250\"?>\n<PlcErrors>\n <PlcError No=\"7\" Type=\"Err\" Validity=\"Transient\"><Text>Příliš nízký tlak</Text></PlcError>\n</PlcErrors>\n";
     let bytes = encode(text, Encoding::Windows1250).expect("Czech fits");
-    let files = Memory::default().with("main.plc", program("", "        ESET 7\n")).with("Plc0.PlcErrors", bytes);
+    let files =
+        Memory::default().with("main.plc", program("", "        ESET 7\n")).with("Plc0.PlcErrors", bytes);
     assert_eq!(files.found(), Vec::<String>::new());
     let loaded = load("", &files);
-    assert_eq!((&*loaded.configuration[0].text, loaded.configuration[0].encoding), (text, Encoding::Windows1250));
+    assert_eq!(
+        (&*loaded.configuration[0].text, loaded.configuration[0].encoding),
+        (text, Encoding::Windows1250)
+    );
 }
 
 #[test]
@@ -200,19 +207,71 @@ fn an_edit_gives_what_a_fresh_start_gives() {
         .with("a.ChannelConfig", CHANNEL);
     let mut host = files.host();
     let edited = CHANNEL.replace("inDoor", "inGate");
-    host.apply(Change { project: None, texts: vec![("a.ChannelConfig".to_string(), edited.as_str().into())] });
+    host.apply(Change {
+        project: None,
+        texts: vec![("a.ChannelConfig".to_string(), edited.as_str().into())],
+    });
     let found = host.analysis().all_diagnostics().expect("nothing cancels it");
     assert_eq!(found, files.with("a.ChannelConfig", edited).diagnostics());
     assert!(!found.is_empty());
 }
 
+/// Queries that run when one file changes.
+fn executed_by(files: &Memory, path: &str, text: &str) -> BTreeSet<String> {
+    let log = Arc::new(Mutex::new(BTreeSet::new()));
+    let sink = log.clone();
+    let db = Database::with_events(Box::new(move |event| {
+        if let salsa::EventKind::WillExecute { database_key } = event.kind {
+            let name = format!("{database_key:?}");
+            sink.lock().expect("one thread").insert(name.split('(').next().unwrap_or_default().to_string());
+        }
+    }));
+    let mut host = AnalysisHost::with_database(db);
+    host.apply(Change { project: Some(load("", files)), texts: Vec::new() });
+    host.analysis().all_diagnostics().expect("nothing cancels it");
+    log.lock().expect("one thread").clear();
+    host.apply(Change { project: None, texts: vec![(path.to_string(), text.into())] });
+    host.analysis().all_diagnostics().expect("nothing cancels it");
+    log.lock().expect("one thread").clone()
+}
+
+#[test]
+fn an_edit_of_a_configuration_file_analyses_no_section_and_the_other_way_round() {
+    let source = program("        MAP_IN inDoor,'inDoor'\n", "        LDR START\n        WR LAMP\n");
+    let files = Memory::default()
+        .with("main.plc", &source)
+        .with("a.ChannelConfig", CHANNEL)
+        .with("b.PlcErrors", "<PlcErrors/>");
+    let ran = executed_by(&files, "a.ChannelConfig", &CHANNEL.replace("\"2\"", "\"3\""));
+    assert!(ran.contains("configuration_file"), "{ran:?}");
+    assert!(!ran.iter().any(|query| query.starts_with("section")), "{ran:?}");
+    let ran = executed_by(&files, "main.plc", &source.replace("LDR START", "LDR DOOR"));
+    assert!(ran.contains("section_uses"), "{ran:?}");
+    assert!(!ran.iter().any(|query| query.starts_with("config")), "{ran:?}");
+}
+
 const SAMPLES: &[(ConfigKind, &str)] = &[
-    (ConfigKind::Channel, "<C><Plc><Input ID=\"a\" Port=\"1\"/><PlcParam ID=\"p\" Type=\"Int\">4</PlcParam></Plc><Connections><Connection Source=\"PLC.Output.a[01].Bit[2]\" Destination=\"CAN[1].INOUT08.OP0\"/></Connections></C>"),
-    (ConfigKind::Errors, "<E><PlcError No=\"1\" Type=\"Err\" Validity=\"Persistent\"><Text>a %d b %X 100 %</Text></PlcError></E>"),
+    (
+        ConfigKind::Channel,
+        "<C><Plc><Input ID=\"a\" Port=\"1\"/><PlcParam ID=\"p\" Type=\"Int\">4</PlcParam></Plc><Connections><Connection Source=\"PLC.Output.a[01].Bit[2]\" Destination=\"CAN[1].INOUT08.OP0\"/></Connections></C>",
+    ),
+    (
+        ConfigKind::Errors,
+        "<E><PlcError No=\"1\" Type=\"Err\" Validity=\"Persistent\"><Text>a %d b %X 100 %</Text></PlcError></E>",
+    ),
     (ConfigKind::Constants, "<PlcConstants><Constant ID=\"A\" Value=\"SA0INT\"/> <!-- a --></PlcConstants>"),
-    (ConfigKind::TableDefinition, "<PLCTableDef><Definition><DefinitionID>M</DefinitionID><ColsCount>1</ColsCount><Col No=\"0\"><ColID>F</ColID><ColType>REAL</ColType></Col></Definition></PLCTableDef>"),
-    (ConfigKind::Table, "<PLCTable><Definition><DefinitionID>M</DefinitionID><LinesCount>1</LinesCount></Definition><Line No=\"0\"><Col ColID=\"F\">1.5</Col></Line></PLCTable>"),
-    (ConfigKind::Keyboard, "<KeyboardConfig><KeyConfig ScanCode=\"0x6A\"><Function No=\"0\" PlcCommand=\"A\"/></KeyConfig></KeyboardConfig>"),
+    (
+        ConfigKind::TableDefinition,
+        "<PLCTableDef><Definition><DefinitionID>M</DefinitionID><ColsCount>1</ColsCount><Col No=\"0\"><ColID>F</ColID><ColType>REAL</ColType></Col></Definition></PLCTableDef>",
+    ),
+    (
+        ConfigKind::Table,
+        "<PLCTable><Definition><DefinitionID>M</DefinitionID><LinesCount>1</LinesCount></Definition><Line No=\"0\"><Col ColID=\"F\">1.5</Col></Line></PLCTable>",
+    ),
+    (
+        ConfigKind::Keyboard,
+        "<KeyboardConfig><KeyConfig ScanCode=\"0x6A\"><Function No=\"0\" PlcCommand=\"A\"/></KeyConfig></KeyboardConfig>",
+    ),
 ];
 
 /// Whether the places of all mistakes lie in the text.

@@ -143,7 +143,9 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
             ("Input", Some("Plc")) => channel.points.extend(point(ConfigElement::Input, element)),
             ("Output", Some("Plc")) => channel.points.extend(point(ConfigElement::Output, element)),
             ("AnalogInput", Some("Plc")) => channel.points.extend(point(ConfigElement::AnalogInput, element)),
-            ("AnalogOutput", Some("Plc")) => channel.points.extend(point(ConfigElement::AnalogOutput, element)),
+            ("AnalogOutput", Some("Plc")) => {
+                channel.points.extend(point(ConfigElement::AnalogOutput, element))
+            }
             ("PlcParam", Some("Plc")) => channel.parameters.extend(parameter(element, problems)),
             ("Connection", Some("Connections")) => channel.connections.extend(connection(element)),
             ("ComChannel", _) => channel.ports.extend(port(element)),
@@ -153,7 +155,8 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
     for element in document.elements.iter().filter(|it| it.name.text.starts_with("Analog")) {
         limits(element, problems);
     }
-    for kind in [ConfigElement::Input, ConfigElement::Output, ConfigElement::AnalogInput, ConfigElement::AnalogOutput]
+    for kind in
+        [ConfigElement::Input, ConfigElement::Output, ConfigElement::AnalogInput, ConfigElement::AnalogOutput]
     {
         let own = channel.points.iter().filter(|it| it.element == kind);
         duplicates::find(own.map(|it| (it.id.text.as_str(), &it.id)), "identifier", problems);
@@ -222,7 +225,8 @@ fn port(element: &Element) -> Option<SerialPort> {
 /// `MinVal` above `MaxVal`: nothing would pass.
 fn limits(element: &Element, problems: &mut Vec<Problem>) {
     let number = |name: &str| element.attribute(name)?.text.trim().parse::<f64>().ok();
-    if let (Some(min), Some(max), Some(place)) = (number("MinVal"), number("MaxVal"), element.attribute("MinVal"))
+    if let (Some(min), Some(max), Some(place)) =
+        (number("MinVal"), number("MaxVal"), element.attribute("MinVal"))
         && min > max
     {
         let message = format!("MinVal {min} is above MaxVal {max}: every value becomes one of them");

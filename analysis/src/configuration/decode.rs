@@ -52,16 +52,17 @@ mod tests {
 
     #[test]
     fn the_declaration_is_obeyed_whatever_the_project_says() {
-        for (name, encoding) in [
-            ("windows-1250", Encoding::Windows1250),
-            ("CP852", Encoding::Cp852),
-            ("utf-8", Encoding::Utf8),
-        ] {
+        for (name, encoding) in
+            [("windows-1250", Encoding::Windows1250), ("CP852", Encoding::Cp852), ("utf-8", Encoding::Utf8)]
+        {
             let text = TEXT.replace("NAME", name);
             let bytes = encode(&text, encoding).expect("Czech fits");
             for project in [None, Some(Encoding::Utf8), Some(Encoding::Cp852), Some(Encoding::Windows1250)] {
                 let read = decode(&bytes, project);
-                assert_eq!((read.text.as_str(), read.encoding, read.problem), (text.as_str(), encoding, None));
+                assert_eq!(
+                    (read.text.as_str(), read.encoding, read.problem),
+                    (text.as_str(), encoding, None)
+                );
             }
         }
     }

@@ -22,6 +22,7 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Keyboard
         Some(((it.parent, place.integer()?), place))
     });
     duplicates::find(functions, "function number", problems);
-    let elements = document.elements.iter().filter(|it| matches!(it.name.text.as_str(), "KeyConfig" | "Function"));
+    let elements =
+        document.elements.iter().filter(|it| matches!(it.name.text.as_str(), "KeyConfig" | "Function"));
     Keyboard { commands: elements.filter_map(|it| identifier(it, "PlcCommand")).collect() }
 }

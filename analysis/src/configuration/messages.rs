@@ -75,8 +75,7 @@ fn placeholders(text: &Text, problems: &mut Vec<Problem>) -> usize {
         match following.next() {
             Some('d' | 'X') => count += 1,
             Some(letter) if letter.is_ascii_alphabetic() => {
-                let message =
-                    format!("%{letter} shows no value; only %d (decimal) and %X (hexadecimal) do");
+                let message = format!("%{letter} shows no value; only %d (decimal) and %X (hexadecimal) do");
                 problems.push(Problem::new(&rules::MESSAGE_TEXT, text.span, message));
             }
             _ => {}

@@ -16,6 +16,7 @@ pub mod document;
 mod duplicates;
 pub mod keyboard;
 mod kind;
+pub mod mentions;
 pub mod messages;
 pub mod problem;
 pub mod schema;
@@ -23,7 +24,6 @@ pub mod table;
 pub mod uses;
 mod validate;
 mod xml;
-
 
 pub use decode::decode;
 pub use kind::ConfigKind;
@@ -73,7 +73,6 @@ pub fn read(kind: ConfigKind, text: &str) -> Configuration {
     let document = match parse(text) {
         Ok(document) => document,
         Err(problem) => {
-
             return Configuration { contents: empty(kind), problems: vec![problem], broken: true };
         }
     };

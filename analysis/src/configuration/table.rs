@@ -99,7 +99,10 @@ pub(super) fn read_definition(document: &Document, problems: &mut Vec<Problem>) 
         let Some(number) = col.attribute("No").and_then(Text::integer) else { continue };
         let place = col.attribute("No").map_or(col.name.span, |it| it.span);
         let kind = kind.and_then(|it| ColumnKind::of(&it.text));
-        columns.push((Text { text: number.to_string(), span: place }, Column { number, id: id.unwrap_or_default(), kind }));
+        columns.push((
+            Text { text: number.to_string(), span: place },
+            Column { number, id: id.unwrap_or_default(), kind },
+        ));
     }
     duplicates::find(columns.iter().map(|(no, it)| (it.number, no)), "number", problems);
     let named = columns.iter().filter(|(_, it)| !it.id.text.is_empty());

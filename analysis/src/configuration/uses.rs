@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::catalogue::{self, ConfigElement, Effect, OperandKind};
+use crate::catalogue::{self, ConfigElement, Effect, Entry, OperandKind};
 use crate::database::{self, Db, NameRef, Project, Section};
 use crate::semantics::constant::ConstExpr;
 use crate::semantics::hir::{Instruction, Operand, StatementKind};
@@ -195,9 +195,8 @@ impl<'db> Reader<'db> {
         let entry = instruction.entry;
         let own = self.lines.get(line as usize);
         let operation = own.and_then(|own| own.operation.as_ref());
-        let written = operation.is_some_and(|name| {
-            catalogue::entry(&name.text).is_some_and(|known| known.name == entry.name)
-        });
+        let written = operation
+            .is_some_and(|name| catalogue::entry(&name.text).is_some_and(|known| known.name == entry.name));
         let step = Step {
             entry,
             operands: &instruction.operands,
@@ -307,7 +306,14 @@ impl<'db> Reader<'db> {
         }
     }
 
-    fn message(&mut self, step: Step<'_>, error: usize, set: Option<usize>, mode: Option<usize>, first: usize) {
+    fn message(
+        &mut self,
+        step: Step<'_>,
+        error: usize,
+        set: Option<usize>,
+        mode: Option<usize>,
+        first: usize,
+    ) {
         let number = if Self::given(step, error) { self.number(step, error) } else { None };
         let one = |index: Option<usize>| {
             let index = index?;
@@ -337,7 +343,15 @@ impl<'db> Reader<'db> {
             let entry = step.entry.name;
             let number = Some(number);
             let (in_cell, values) = (false, None);
-            self.out.messages.push(MessageUse { entry, number, in_cell, place, values, set: None, mode: None });
+            self.out.messages.push(MessageUse {
+                entry,
+                number,
+                in_cell,
+                place,
+                values,
+                set: None,
+                mode: None,
+            });
         }
     }
 
@@ -378,6 +392,12 @@ impl<'db> Reader<'db> {
     }
 }
 
+/// What the text at an operand of an instruction names in the configuration.
+pub(crate) fn element_at(entry: &Entry, index: usize) -> Option<ConfigElement> {
+    let modelled = entry.operands.get(index).and_then(|spec| identifier(spec.kind));
+    modelled.or_else(|| unmodelled(entry.name).filter(|_| index == 1))
+}
+
 /// What an operand names in the configuration.
 pub(crate) fn identifier(kind: OperandKind) -> Option<ConfigElement> {
     match kind {
@@ -396,7 +416,9 @@ fn unmodelled(name: &str) -> Option<ConfigElement> {
         "MAP_AOUT" => ConfigElement::AnalogOutput,
         "DEF_IN" => ConfigElement::LogicalInput,
         "DEF_OUT" => ConfigElement::LogicalOutput,
-        "CNF_GET_INT" | "CNF_GET_REAL" | "CNF_GET_STR" | "CNF_GET_BIN" | "CNF_GET_BIT" => ConfigElement::Parameter,
+        "CNF_GET_INT" | "CNF_GET_REAL" | "CNF_GET_STR" | "CNF_GET_BIN" | "CNF_GET_BIT" => {
+            ConfigElement::Parameter
+        }
         "CONST_GET" => ConfigElement::Constant,
         "PLCT_COL_INDEX" => ConfigElement::Column,
         _ => return None,

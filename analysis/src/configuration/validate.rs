@@ -101,7 +101,8 @@ fn unknown(
     if !closed {
         return;
     }
-    let inside = schema::elements(kind).iter().filter(|spec| spec.parents.contains(&parent.name.text.as_str()));
+    let inside =
+        schema::elements(kind).iter().filter(|spec| spec.parents.contains(&parent.name.text.as_str()));
     let near = suggest::nearest(name, inside.map(|spec| spec.name));
     let elsewhere = schema::elements(kind).iter().find(|spec| spec.name == *name);
     let message = match (near, elsewhere) {

@@ -145,9 +145,10 @@ fn problem(text: &str, lines: &Lines<'_>, error: &Error) -> Problem {
             let span = lines.span(at..at + "<!DOCTYPE".len());
             return Problem::new(&rules::DOCUMENT_TYPE, span, message.to_string());
         }
-        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
-            (text.trim_end().len().saturating_sub(1), "the file ends before its elements are closed".to_string())
-        }
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => (
+            text.trim_end().len().saturating_sub(1),
+            "the file ends before its elements are closed".to_string(),
+        ),
         Error::NoRootNode => (0, "the file has no element".to_string()),
         Error::NodesLimitReached | Error::AttributesLimitReached | Error::NamespacesLimitReached => {
             (0, format!("the file has more than {MOST_NODES} elements and texts; it is not read"))
@@ -222,10 +223,16 @@ mod tests {
         let text = "<?xml version=\"1.0\"?>\n<Plc>\n <Input ID = 'na&amp;ž' Bit=\"2\"/> <!-- limit -->\n <P>\n  a\n  b </P>\n</Plc>\n";
         let it = parse(text).expect("well-formed");
         let input = &it.elements[1];
-        assert_eq!((input.name.text.as_str(), input.parent, input.note.as_str()), ("Input", Some(0), "limit"));
+        assert_eq!(
+            (input.name.text.as_str(), input.parent, input.note.as_str()),
+            ("Input", Some(0), "limit")
+        );
         assert_eq!(input.name.span, Span::in_line(2, 2, 7));
         assert_eq!(input.attributes[0].name.span, Span::in_line(2, 8, 10));
-        assert_eq!(input.attribute("ID").map(|v| (v.text.as_str(), v.span)), Some(("na&ž", Span::in_line(2, 14, 23))));
+        assert_eq!(
+            input.attribute("ID").map(|v| (v.text.as_str(), v.span)),
+            Some(("na&ž", Span::in_line(2, 14, 23)))
+        );
         assert_eq!(input.attribute("Bit").and_then(Text::integer), Some(2));
         let content = &it.elements[2].content;
         assert_eq!(content.text, "a\n  b");
@@ -240,7 +247,10 @@ mod tests {
             ("<a>\n <b/>\n", "T0901 1:4..1:5 the file ends before its elements are closed"),
             ("<a>\nž & b</a>", "T0901 1:3..1:4 & must be written &amp;"),
             ("<a x='1' x='2'/>", "T0901 0:9..0:10 the attribute x stands here twice"),
-            ("<a>&lol;</a>", "T0901 0:3..0:4 &lol; means nothing here; only &lt; &gt; &amp; &quot; &apos; and &#number; do"),
+            (
+                "<a>&lol;</a>",
+                "T0901 0:3..0:4 &lol; means nothing here; only &lt; &gt; &amp; &quot; &apos; and &#number; do",
+            ),
             (
                 "<!DOCTYPE a [<!ENTITY b 'c'>]>\n<a>&b;</a>",
                 "T0902 0:0..0:9 a document type is not read: nothing it declares is expanded; remove it",

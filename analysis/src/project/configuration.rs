@@ -61,7 +61,8 @@ fn beside(loader: &mut Loader<'_>) {
 
 /// Reads the configuration files of a folder in order of their names; returns whether it has some.
 fn listed(loader: &mut Loader<'_>, folder: &str) -> bool {
-    let place = if folder.is_empty() { loader.project.root.clone() } else { readable(&loader.project.root, folder) };
+    let place =
+        if folder.is_empty() { loader.project.root.clone() } else { readable(&loader.project.root, folder) };
     let mut names: Vec<String> =
         loader.reader.list(&place).into_iter().filter(|name| ConfigKind::of_path(name).is_some()).collect();
     names.sort();

@@ -135,7 +135,8 @@ pub fn parse_manifest(text: &str) -> (Manifest, Vec<ManifestError>) {
 }
 
 const TABLES: &[&str] = &["project", "machine", "target", "debug", "lints"];
-const PROJECT: &[&str] = &["name", "main", "files", "include-dirs", "system-dir", "configuration", "encoding"];
+const PROJECT: &[&str] =
+    &["name", "main", "files", "include-dirs", "system-dir", "configuration", "encoding"];
 
 fn unknown_key(key: &str, table: &str, known: &[&str]) -> String {
     let near = crate::semantics::suggest::nearest(key, known.iter().copied());

@@ -89,7 +89,12 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { name: String::new(), debug_everywhere: true, configuration_listed: false, lints: BTreeMap::new() }
+        Settings {
+            name: String::new(),
+            debug_everywhere: true,
+            configuration_listed: false,
+            lints: BTreeMap::new(),
+        }
     }
 }
 

@@ -18,7 +18,8 @@ pub(super) fn check(uses: &SectionUses, configured: &Configured, findings: &mut 
         if configured.numbers().any(|number| number == it.number) {
             continue;
         }
-        let message = format!("no constant of the project has the value {}; no command has this number", it.number);
+        let message =
+            format!("no constant of the project has the value {}; no command has this number", it.number);
         let columns = it.place.columns.clone();
         findings.push(Finding::new(&rules::UNKNOWN_COMMAND_CODE, it.place.line, columns, message));
     }
@@ -64,7 +65,10 @@ pub(super) fn check_buttons(
             continue;
         }
         let message = if uses.takes_commands {
-            format!("the program does not take {}: no CONST_GET asks for it, _ON_CMD does not compare with it", command.text)
+            format!(
+                "the program does not take {}: no CONST_GET asks for it, _ON_CMD does not compare with it",
+                command.text
+            )
         } else {
             format!("nobody takes {}: the program has no procedure _ON_CMD", command.text)
         };

@@ -78,7 +78,12 @@ impl Configured {
                     self.name(it.element, &it.id, place(&it.id), Defined::Point(it.clone()));
                 }
                 for it in &channel.parameters {
-                    self.name(ConfigElement::Parameter, &it.id, place(&it.id), Defined::Parameter(it.clone()));
+                    self.name(
+                        ConfigElement::Parameter,
+                        &it.id,
+                        place(&it.id),
+                        Defined::Parameter(it.clone()),
+                    );
                 }
                 for it in &channel.connections {
                     self.connections.push(Definition { place: place(&it.source), it: it.clone() });
@@ -123,7 +128,10 @@ impl Configured {
     /// Identifiers of one kind of element.
     pub fn identifiers(&self, element: ConfigElement) -> impl Iterator<Item = &str> {
         let from = (element, String::new());
-        self.named.range(from..).take_while(move |((kind, _), _)| *kind == element).map(|((_, id), _)| id.as_str())
+        self.named
+            .range(from..)
+            .take_while(move |((kind, _), _)| *kind == element)
+            .map(|((_, id), _)| id.as_str())
     }
 
     /// The message of a number.

@@ -41,7 +41,9 @@ fn one(text: &Text, wanted: Direction, uses: &ProjectUses, report: &mut Report<'
     }
     if end.group.direction().is_some_and(|is| is != wanted) {
         let message = match wanted {
-            Direction::Source => format!("{} is a logical input; a source must be a logical output", text.text),
+            Direction::Source => {
+                format!("{} is a logical input; a source must be a logical output", text.text)
+            }
             Direction::Destination => {
                 format!("{} is a logical output; a destination must be a logical input", text.text)
             }
@@ -88,7 +90,9 @@ fn conversion(connection: &Connection, uses: &ProjectUses, report: &mut Report<'
                 _ => continue,
             };
         let (span, message) = match (bit, connection.scale, connection.invert) {
-            (true, Some(span), _) => (span, format!("{} is a bit; Scale and Offset act on numbers only", text.text)),
+            (true, Some(span), _) => {
+                (span, format!("{} is a bit; Scale and Offset act on numbers only", text.text))
+            }
             (false, _, Some(span)) => (span, format!("{} is a number; Invert acts on bits only", text.text)),
             _ => continue,
         };

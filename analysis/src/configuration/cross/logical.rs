@@ -77,7 +77,8 @@ pub(crate) fn end(text: &str) -> End<'_> {
     ];
     for (prefix, group) in groups {
         if let Some(name) = behind(text, prefix) {
-            let group = if group == Group::EtherCat(None) { Group::EtherCat(image_direction(name)) } else { group };
+            let group =
+                if group == Group::EtherCat(None) { Group::EtherCat(image_direction(name)) } else { group };
             return End { group, name };
         }
     }

@@ -55,10 +55,18 @@ fn values(it: &MessageUse, known: &Definition<Message>) -> Option<Finding> {
     let plural = if shown == 1 { "" } else { "s" };
     let message = match (missing, extra) {
         (Some(index), _) if !goes => {
-            format!("the text of message {} shows {shown} value{plural}; par{} is missing", known.it.number, index + 1)
+            format!(
+                "the text of message {} shows {shown} value{plural}; par{} is missing",
+                known.it.number,
+                index + 1
+            )
         }
         (_, Some(index)) => {
-            format!("the text of message {} shows {shown} value{plural}; par{} is not shown", known.it.number, index + 1)
+            format!(
+                "the text of message {} shows {shown} value{plural}; par{} is not shown",
+                known.it.number,
+                index + 1
+            )
         }
         _ => return None,
     };

@@ -20,8 +20,8 @@ use crate::database::{self, ConfigFile, Db, Project, Section};
 use crate::diagnostics::{Diagnostic, Finding, Fix, Rule};
 use crate::location::{Location, Span};
 
-pub use configured::{Configured, Defined, Definition};
 pub(crate) use configured::configured;
+pub use configured::{Configured, Defined, Definition};
 pub use program::ProjectUses;
 pub(crate) use program::project_uses;
 
@@ -84,14 +84,7 @@ struct Report<'db> {
 
 impl Report<'_> {
     fn diagnostic(&self, rule: &'static Rule, span: Span, message: String) -> Diagnostic {
-        Diagnostic {
-            code: rule.code,
-            severity: rule.severity,
-            message,
-            span,
-            related: Vec::new(),
-            fix: None,
-        }
+        Diagnostic { code: rule.code, severity: rule.severity, message, span, related: Vec::new(), fix: None }
     }
 
     /// A diagnostic that offers another text for its place.

@@ -18,7 +18,8 @@ pub(super) fn check(uses: &SectionUses, configured: &Configured, findings: &mut 
             Some(port) if !port.it.active => format!("the ComChannel {} is not active", it.number),
             Some(_) => continue,
         };
-        let mut finding = Finding::new(&rules::UNKNOWN_PORT, it.place.line, it.place.columns.clone(), message);
+        let mut finding =
+            Finding::new(&rules::UNKNOWN_PORT, it.place.line, it.place.columns.clone(), message);
         if let Some(port) = known {
             finding.related.push((Anchor::Place(port.place.clone()), "defined here".to_string()));
         }

@@ -48,7 +48,8 @@ fn column_name(it: &IdentifierUse, configured: &Configured, listed: bool) -> Opt
     }
     let near = suggest::nearest(&it.text, &mut names);
     let table = tables.first().filter(|_| tables.len() == 1);
-    let of = table.map_or_else(|| "no table of the project".to_string(), |t| format!("the table {}", t.it.id.text));
+    let of = table
+        .map_or_else(|| "no table of the project".to_string(), |t| format!("the table {}", t.it.id.text));
     let none = if table.is_some() { "no" } else { "a" };
     let columns = it.place.columns.clone();
     let finding = |message| Finding::new(&rules::UNKNOWN_COLUMN, it.place.line, columns.clone(), message);
@@ -98,7 +99,8 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
         return;
     }
     let Some(definition) = configured.tables.iter().find(|it| it.it.id.text == table.id.text) else {
-        let near = suggest::nearest(&table.id.text, configured.tables.iter().map(|it| it.it.id.text.as_str()));
+        let near =
+            suggest::nearest(&table.id.text, configured.tables.iter().map(|it| it.it.id.text.as_str()));
         report.add(match near {
             Some(near) => {
                 let message = format!("no table {} is defined; did you mean {near}?", table.id.text);
@@ -120,7 +122,8 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
         }
         let Some(column) = columns.iter().find(|column| column.id.text == cell.column.text) else {
             count += 1;
-            let near = suggest::nearest(&cell.column.text, columns.iter().map(|column| column.id.text.as_str()));
+            let near =
+                suggest::nearest(&cell.column.text, columns.iter().map(|column| column.id.text.as_str()));
             let (name, table) = (&cell.column.text, &definition.it.id.text);
             report.add(match near {
                 Some(near) => {
@@ -140,7 +143,8 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
             _ => continue,
         };
         count += 1;
-        let message = format!("the column {} needs {needed}, not \"{}\"", column.id.text, short(&cell.value.text));
+        let message =
+            format!("the column {} needs {needed}, not \"{}\"", column.id.text, short(&cell.value.text));
         report.add(report.diagnostic(&rules::TABLE_VALUE, cell.value.span, message));
     }
 }

@@ -48,15 +48,22 @@ fn is_command(it: &Constant, configured: &Configured, uses: &ProjectUses) -> boo
     compared || configured.commands.contains(&it.id.text)
 }
 
-fn named(element: ConfigElement, id: &Text, configured: &Configured, uses: &ProjectUses, report: &mut Report<'_>) {
+fn named(
+    element: ConfigElement,
+    id: &Text,
+    configured: &Configured,
+    uses: &ProjectUses,
+    report: &mut Report<'_>,
+) {
     let key = (element, id.text.clone());
     if uses.identifiers.contains(&key) || uses.dynamic.contains(&element) {
         return;
     }
     // Another instruction reads it, and is told so.
-    let elsewhere = uses.identifiers.iter().any(|(other, text)| {
-        *text == id.text && configured.find(*other, text).is_none()
-    });
+    let elsewhere = uses
+        .identifiers
+        .iter()
+        .any(|(other, text)| *text == id.text && configured.find(*other, text).is_none());
     if elsewhere || meant(element, id, configured, uses) {
         return;
     }

@@ -23,27 +23,12 @@ const ENABLE_REPEAT: AttributeSpec = optional(
     "Repeats while it is held",
     "Opakuje, dokud je držené",
 );
-const LOWER: AttributeSpec = optional(
-    "UnicodeCharLower",
-    ValueKind::Hex(0x10_FFFF),
-    "",
-    "Character without SHIFT",
-    "Znak bez SHIFT",
-);
-const UPPER: AttributeSpec = optional(
-    "UnicodeCharUpper",
-    ValueKind::Hex(0x10_FFFF),
-    "",
-    "Character with SHIFT",
-    "Znak se SHIFT",
-);
-const COMMAND: AttributeSpec = optional(
-    "Command",
-    ValueKind::Named(Names::Command),
-    "",
-    "Command for the control",
-    "Příkaz pro systém",
-);
+const LOWER: AttributeSpec =
+    optional("UnicodeCharLower", ValueKind::Hex(0x10_FFFF), "", "Character without SHIFT", "Znak bez SHIFT");
+const UPPER: AttributeSpec =
+    optional("UnicodeCharUpper", ValueKind::Hex(0x10_FFFF), "", "Character with SHIFT", "Znak se SHIFT");
+const COMMAND: AttributeSpec =
+    optional("Command", ValueKind::Named(Names::Command), "", "Command for the control", "Příkaz pro systém");
 const PLC_COMMAND: AttributeSpec = optional(
     "PlcCommand",
     ValueKind::Text,

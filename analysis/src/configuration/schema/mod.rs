@@ -201,7 +201,12 @@ const fn needed(name: &'static str, value: ValueKind, en: &'static str, cs: &'st
 }
 
 /// An element without text and attributes that takes what is listed and no more.
-const fn closed(name: &'static str, chapter: &'static str, en: &'static str, cs: &'static str) -> ElementSpec {
+const fn closed(
+    name: &'static str,
+    chapter: &'static str,
+    en: &'static str,
+    cs: &'static str,
+) -> ElementSpec {
     ElementSpec {
         name,
         parents: &[],
@@ -247,7 +252,12 @@ mod tests {
             for spec in elements(kind) {
                 assert!(page.contains(&format!("`{}`", spec.name)), "{}", spec.name);
                 for attribute in spec.attributes {
-                    assert!(page.contains(&format!("`{}`", attribute.name)), "{}.{}", spec.name, attribute.name);
+                    assert!(
+                        page.contains(&format!("`{}`", attribute.name)),
+                        "{}.{}",
+                        spec.name,
+                        attribute.name
+                    );
                 }
             }
         }

@@ -66,9 +66,9 @@ fn expand(pattern: &str) -> Vec<String> {
 }
 
 fn choices_of(text: &str) -> Vec<String> {
-    let range = text.split_once('-').and_then(|(first, last)| {
-        Some((first.len(), first.parse::<u32>().ok()?, last.parse::<u32>().ok()?))
-    });
+    let range = text
+        .split_once('-')
+        .and_then(|(first, last)| Some((first.len(), first.parse::<u32>().ok()?, last.parse::<u32>().ok()?)));
     match range {
         Some((width, first, last)) => (first..=last).map(|number| format!("{number:0width$}")).collect(),
         None => text.split('|').map(str::to_string).collect(),
@@ -83,7 +83,10 @@ mod tests {
     fn braces_stand_for_each_of_their_choices() {
         assert_eq!(expand("A"), ["A"]);
         assert_eq!(expand("A{8-11}B"), ["A8B", "A9B", "A10B", "A11B"]);
-        assert_eq!(expand("{|I}M{00-01}{|N}"), ["M00", "M00N", "M01", "M01N", "IM00", "IM00N", "IM01", "IM01N"]);
+        assert_eq!(
+            expand("{|I}M{00-01}{|N}"),
+            ["M00", "M00N", "M01", "M01N", "IM00", "IM00N", "IM01", "IM01N"]
+        );
     }
 
     #[test]
@@ -91,7 +94,9 @@ mod tests {
         assert!(Names::VirtualKey.all().contains("VK_F24"));
         assert!(Names::Command.all().contains("ID_MMM_MAN"));
         assert!(Names::Command.all().contains("ID_SMRIGHT_BTN15"));
-        for name in ["RTMID_MMM_SEL00", "RTMID_IMMM_MOVE01", "RTMID_MMM_SHIFT_ACT", "RTMID_KEYB3_FUNCTION2_TOGGLE"] {
+        for name in
+            ["RTMID_MMM_SEL00", "RTMID_IMMM_MOVE01", "RTMID_MMM_SHIFT_ACT", "RTMID_KEYB3_FUNCTION2_TOGGLE"]
+        {
             assert!(Names::RtmCommand.all().contains(name), "{name}");
         }
         assert_eq!(Names::VirtualKey.all().len(), 196);

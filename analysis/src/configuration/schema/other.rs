@@ -46,7 +46,12 @@ pub(super) const CONSTANTS: &[ElementSpec] = &[
     ElementSpec {
         parents: &["PlcConstants"],
         attributes: &[
-            needed("ID", ValueKind::Text, "Identifier, as CONST_GET names it", "Identifikátor, který uvádí CONST_GET"),
+            needed(
+                "ID",
+                ValueKind::Text,
+                "Identifier, as CONST_GET names it",
+                "Identifikátor, který uvádí CONST_GET",
+            ),
             needed(
                 "Value",
                 ValueKind::IntegerOr(AUTOMATIC),
@@ -105,7 +110,12 @@ pub(super) const TABLE: &[ElementSpec] = &[
     ElementSpec {
         parents: &["Definition"],
         content: Some(ValueKind::Text),
-        ..closed("DefinitionID", "17.2", "Name of the table, as its definition says", "Název tabulky podle její definice")
+        ..closed(
+            "DefinitionID",
+            "17.2",
+            "Name of the table, as its definition says",
+            "Název tabulky podle její definice",
+        )
     },
     ElementSpec {
         parents: &["Definition"],

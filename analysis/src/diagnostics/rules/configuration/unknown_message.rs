@@ -11,13 +11,7 @@ pub static UNKNOWN_MESSAGE: Rule = Rule {
         such a number in DR while the same section reports the number that is in DR. Add a `PlcError` with \
         this number.",
     why: "Type, validity and text come from that file alone: the operator would see a bare number.",
-    wrong: concat!(
-        "        ESET 8\n",
-        ";=== machine.PlcErrors\n",
-        "<PlcErrors>\n",
-        "\n",
-        "</PlcErrors>\n",
-    ),
+    wrong: concat!("        ESET 8\n", ";=== machine.PlcErrors\n", "<PlcErrors>\n", "\n", "</PlcErrors>\n",),
     right: concat!(
         "        ESET 8\n",
         ";=== machine.PlcErrors\n",
