@@ -144,7 +144,7 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
             ("Output", Some("Plc")) => channel.points.extend(point(ConfigElement::Output, element)),
             ("AnalogInput", Some("Plc")) => channel.points.extend(point(ConfigElement::AnalogInput, element)),
             ("AnalogOutput", Some("Plc")) => {
-                channel.points.extend(point(ConfigElement::AnalogOutput, element))
+                channel.points.extend(point(ConfigElement::AnalogOutput, element));
             }
             ("PlcParam", Some("Plc")) => channel.parameters.extend(parameter(element, problems)),
             ("Connection", Some("Connections")) => channel.connections.extend(connection(element)),

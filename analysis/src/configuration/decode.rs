@@ -12,15 +12,15 @@ pub fn decode(bytes: &[u8], declared: Option<Encoding>) -> Decoded {
     match stated(bytes) {
         None if std::str::from_utf8(bytes).is_ok() => crate::project::decode(bytes, Some(Encoding::Utf8)),
         None => crate::project::decode(bytes, declared.filter(|it| *it != Encoding::Utf8)),
-        Some(name) => match encoding(&name) {
-            Some(encoding) => crate::project::decode(bytes, Some(encoding)),
-            None => {
-                let decoded = crate::project::decode(bytes, None);
-                let at = decoded.text.find("encoding").unwrap_or(0);
-                let problem = Some((at, "this encoding is not known here; use utf-8, windows-1250 or cp852"));
-                Decoded { problem: decoded.problem.or(problem), ..decoded }
+        Some(name) => {
+            if let Some(encoding) = encoding(&name) {
+                return crate::project::decode(bytes, Some(encoding));
             }
-        },
+            let decoded = crate::project::decode(bytes, None);
+            let at = decoded.text.find("encoding").unwrap_or(0);
+            let problem = Some((at, "this encoding is not known here; use utf-8, windows-1250 or cp852"));
+            Decoded { problem: decoded.problem.or(problem), ..decoded }
+        }
     }
 }
 

@@ -73,7 +73,7 @@ pub fn read(kind: ConfigKind, text: &str) -> Configuration {
     let document = match parse(text) {
         Ok(document) => document,
         Err(problem) => {
-            return Configuration { contents: empty(kind), problems: vec![problem], broken: true };
+            return Configuration { contents: empty(kind), problems: vec![*problem], broken: true };
         }
     };
     let mut problems = Vec::new();

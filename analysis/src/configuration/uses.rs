@@ -190,7 +190,7 @@ struct Step<'a> {
 
 const NOWHERE: Columns = 0..0;
 
-impl<'db> Reader<'db> {
+impl Reader<'_> {
     fn instruction(&mut self, line: u32, instruction: &Instruction) {
         let entry = instruction.entry;
         let own = self.lines.get(line as usize);

@@ -24,10 +24,10 @@ const MOST_NAMESPACES: usize = 64;
 ///
 /// # Errors
 /// The first mistake, at its place.
-pub fn parse(text: &str) -> Result<Document, Problem> {
+pub fn parse(text: &str) -> Result<Document, Box<Problem>> {
     let lines = Lines::of(text);
     let too_large = |at: usize, message: String| {
-        Problem::new(&rules::BROKEN_CONFIGURATION, lines.span(at..at + 1), message)
+        Box::new(Problem::new(&rules::BROKEN_CONFIGURATION, lines.span(at..at + 1), message))
     };
     if text.len() > MOST_BYTES {
         return Err(too_large(0, format!("the file is longer than {} MB; it is not read", MOST_BYTES >> 20)));
@@ -41,29 +41,38 @@ pub fn parse(text: &str) -> Result<Document, Problem> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, entity_resolver: None };
     match roxmltree::Document::parse_with_options(text, options) {
         Ok(parsed) => Ok(plain(text, &lines, parsed.root())),
-        Err(error) => Err(problem(text, &lines, &error)),
+        Err(error) => Err(Box::new(problem(text, &lines, &error))),
     }
 }
 
 /// The offset of a tag with too many attributes. Counts `=` between `<` and `>` outside of quotes, which in a
 /// well-formed tag is the number of its attributes.
 fn crowded_tag(text: &str) -> Option<usize> {
-    let (mut tag, mut quote, mut count) = (None, None, 0);
-    for (at, byte) in text.bytes().enumerate() {
-        match (tag, quote) {
-            (Some(_), Some(open)) if byte == open => quote = None,
-            (Some(_), Some(_)) => {}
-            (Some(_), None) if byte == b'"' || byte == b'\'' => quote = Some(byte),
-            (Some(_), None) if byte == b'>' => tag = None,
-            (Some(start), None) if byte == b'=' => {
-                count += 1;
-                if count > MOST_ATTRIBUTES {
-                    return Some(start);
-                }
+    let mut at = 0;
+    while let Some(start) = text[at..].find('<').map(|open| at + open) {
+        let rest = &text[start..];
+        let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")]
+            .into_iter()
+            .find(|(open, _)| rest.starts_with(open))
+            .map(|(_, close)| rest.find(close).map_or(rest.len(), |end| end + close.len()));
+        at = start + skipped.unwrap_or(1);
+        if skipped.is_some() {
+            continue;
+        }
+        let (mut quote, mut count) = (None, 0);
+        for byte in text[at..].bytes() {
+            at += 1;
+            match (quote, byte) {
+                (Some(open), _) if byte == open => quote = None,
+                (Some(_), _) => {}
+                (None, b'"' | b'\'') => quote = Some(byte),
+                (None, b'>') => break,
+                (None, b'=') => count += 1,
+                (None, _) => {}
             }
-            // Comments may hold anything; text in them that looks like a tag is counted alike, from its own start.
-            (_, None) if byte == b'<' => (tag, count) = (Some(at), 0),
-            _ => {}
+            if count > MOST_ATTRIBUTES {
+                return Some(start);
+            }
         }
     }
     None
@@ -266,10 +275,12 @@ mod tests {
         assert_eq!(parse(&deep).map(|it| it.elements.len()).ok(), Some(200_000));
         let open = "<a>".repeat(200_000);
         assert!(mistake(&open).contains("ends before"));
-        let crowded = format!("<a {}/>", (0..100_000).map(|n| format!("x{n}='' ")).collect::<String>());
+        let crowded = format!("<a {}/>", "x='' ".repeat(100_000));
         assert!(mistake(&crowded).contains("more than 256 attributes"));
-        let spaces = (0..1_000).map(|n| format!("<a xmlns:n{n}='u'>")).collect::<String>();
+        let spaces = "<a xmlns:n='u'>".repeat(1_000);
         assert!(mistake(&spaces).contains("name spaces"));
+        let comment = format!("<!-- {} isn't a tag -->\n<a><![CDATA[< {0}]]></a>", "=".repeat(1_000));
+        assert!(parse(&comment).is_ok());
         let value = format!("<a x='{}'/>", "y".repeat(1 << 20));
         assert!(parse(&value).is_ok());
         let huge = " ".repeat(MOST_BYTES + 1);

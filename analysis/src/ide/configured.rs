@@ -374,7 +374,8 @@ mod tests {
     fn references(text: &str) -> String {
         let it = fixture(text);
         let found = it.analysis.references(&it.file, it.at, true).expect("not cancelled");
-        found.iter().map(|r| format!("{:?} {}", r.access, it.show(&r.location))).collect()
+        let show = |r: &super::Reference| format!("{:?} {}", r.access, it.show(&r.location));
+        found.iter().map(show).collect()
     }
 
     fn completion(text: &str) -> Vec<String> {

@@ -39,16 +39,8 @@ pub(super) fn check_buttons(
     for command in &keyboard.commands {
         let Some(found) = configured.find(ConfigElement::Constant, &command.text) else {
             let near = suggest::nearest(&command.text, configured.identifiers(ConfigElement::Constant));
-            report.add(match near {
-                Some(near) => {
-                    let message = format!("no constant {} is defined; did you mean {near}?", command.text);
-                    report.with_fix(&rules::UNKNOWN_COMMAND, command.span, message, near)
-                }
-                None => {
-                    let message = format!("no *.PlcConstants of the project defines {}", command.text);
-                    report.diagnostic(&rules::UNKNOWN_COMMAND, command.span, message)
-                }
-            });
+            let message = format!("no *.PlcConstants of the project defines {}", command.text);
+            report.suggest(&rules::UNKNOWN_COMMAND, command.span, message, near);
             continue;
         };
         let fetched = uses.identifiers.contains(&(ConfigElement::Constant, command.text.clone()))
@@ -72,6 +64,6 @@ pub(super) fn check_buttons(
         } else {
             format!("nobody takes {}: the program has no procedure _ON_CMD", command.text)
         };
-        report.add(report.diagnostic(&rules::COMMAND_IGNORED, command.span, message));
+        report.report(&rules::COMMAND_IGNORED, command.span, message);
     }
 }

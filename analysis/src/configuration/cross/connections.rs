@@ -16,7 +16,7 @@ pub(super) fn check(configuration: &Configuration, uses: &ProjectUses, report: &
     for (connected, name) in points.chain(channel.connections.iter().map(|it| (it.connected, it.name))) {
         if connected.is_none() {
             let message = "without Connected=\"1\" nothing is connected".to_string();
-            report.add(report.diagnostic(&rules::NOT_CONNECTED, name, message));
+            report.report(&rules::NOT_CONNECTED, name, message);
         }
     }
     for connection in &channel.connections {
@@ -36,7 +36,7 @@ fn one(text: &Text, wanted: Direction, uses: &ProjectUses, report: &mut Report<'
             "{} belongs to no group; write PLC.Input., PLC.Output., ECAT., RTM., CAN[n]. or VKeyboard. before it",
             text.text
         );
-        report.add(report.diagnostic(&rules::CONNECTION_DIRECTION, text.span, message));
+        report.report(&rules::CONNECTION_DIRECTION, text.span, message);
         return false;
     }
     if end.group.direction().is_some_and(|is| is != wanted) {
@@ -48,35 +48,26 @@ fn one(text: &Text, wanted: Direction, uses: &ProjectUses, report: &mut Report<'
                 format!("{} is a logical output; a destination must be a logical input", text.text)
             }
         };
-        report.add(report.diagnostic(&rules::CONNECTION_DIRECTION, text.span, message));
+        report.report(&rules::CONNECTION_DIRECTION, text.span, message);
         return false;
     }
     let Some(element) = end.group.element() else { return true };
-    if !uses.complete || uses.dynamic.contains(&element) || kind(element, end.name, uses).is_some() {
+    if !uses.complete || uses.dynamic.contains(&element) || declared(element, end.name, uses).is_some() {
         return true;
     }
     let instruction = if element == ConfigElement::LogicalInput { "DEF_IN" } else { "DEF_OUT" };
     let spelled = uses.spelled.get(&element);
     let near = suggest::nearest(end.name, spelled.into_iter().flatten().map(String::as_str));
-    report.add(match near {
-        Some(near) => {
-            let message = format!("no {instruction} declares '{}'; did you mean '{near}'?", end.name);
-            let group = &text.text[..text.text.len() - end.name.len()];
-            report.with_fix(&rules::UNKNOWN_LOGICAL_ELEMENT, text.span, message, &format!("{group}{near}"))
-        }
-        None => {
-            let message = format!("no {instruction} of the program declares '{}'", end.name);
-            report.diagnostic(&rules::UNKNOWN_LOGICAL_ELEMENT, text.span, message)
-        }
-    });
+    let group = &text.text[..text.text.len() - end.name.len()];
+    let near = near.map(|near| format!("{group}{near}"));
+    let message = format!("no {instruction} of the program declares '{}'", end.name);
+    report.suggest(&rules::UNKNOWN_LOGICAL_ELEMENT, text.span, message, near.as_deref());
     false
 }
 
-/// The type of a logical element of the program; `Some(None)` when it is there without a known type.
-fn kind<'a>(element: ConfigElement, name: &str, uses: &'a ProjectUses) -> Option<Option<&'a str>> {
-    let names = logical::candidates(name).into_iter();
-    let found = names.filter_map(|name| uses.logical.get(&(element, name))).next()?;
-    Some(found.as_deref())
+/// A logical element of the program: its type, where that is written.
+fn declared<'a>(element: ConfigElement, name: &str, uses: &'a ProjectUses) -> Option<&'a Option<String>> {
+    logical::candidates(name).into_iter().find_map(|name| uses.logical.get(&(element, name)))
 }
 
 /// `Invert` on numbers, `Scale` and `Offset` on bits.
@@ -85,7 +76,7 @@ fn conversion(connection: &Connection, uses: &ProjectUses, report: &mut Report<'
         let end = logical::end(&text.text);
         let Some(element) = end.group.element() else { continue };
         let bit = logical::is_bit_of_number(end.name)
-            || match kind(element, end.name, uses) {
+            || match declared(element, end.name, uses) {
                 Some(Some(kind)) => kind == "TYPE_BIT",
                 _ => continue,
             };
@@ -96,7 +87,7 @@ fn conversion(connection: &Connection, uses: &ProjectUses, report: &mut Report<'
             (false, _, Some(span)) => (span, format!("{} is a number; Invert acts on bits only", text.text)),
             _ => continue,
         };
-        report.add(report.diagnostic(&rules::CONVERSION_WITHOUT_EFFECT, span, message));
+        report.report(&rules::CONVERSION_WITHOUT_EFFECT, span, message);
         return;
     }
 }

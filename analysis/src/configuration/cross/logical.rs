@@ -124,20 +124,17 @@ pub(crate) fn normal(text: &str) -> String {
         normal.push_str(head);
         let close = tail.find(']');
         let index = close.map(|close| &tail[1..close]).filter(|i| i.bytes().all(|b| b.is_ascii_digit()));
-        match (close, index) {
-            (Some(close), Some(index)) => {
-                let digits = index.trim_start_matches('0');
-                if !digits.is_empty() {
-                    normal.push('[');
-                    normal.push_str(digits);
-                    normal.push(']');
-                }
-                rest = &tail[close + 1..];
-            }
-            _ => {
+        if let (Some(close), Some(index)) = (close, index) {
+            let digits = index.trim_start_matches('0');
+            if !digits.is_empty() {
                 normal.push('[');
-                rest = &tail[1..];
+                normal.push_str(digits);
+                normal.push(']');
             }
+            rest = &tail[close + 1..];
+        } else {
+            normal.push('[');
+            rest = &tail[1..];
         }
     }
     normal.push_str(rest);
@@ -170,7 +167,8 @@ pub(crate) fn without_index(normal: &str) -> Option<&str> {
 /// Whether a name means one bit of a number.
 pub(crate) fn is_bit_of_number(name: &str) -> bool {
     let normal = normal(name);
-    normal.ends_with(".BIT") || without_index(&normal).is_some_and(|base| base.ends_with(".BIT"))
+    let base = without_index(&normal).unwrap_or(&normal);
+    base.rsplit_once('.').is_some_and(|(_, member)| member == "BIT")
 }
 
 #[cfg(test)]

@@ -101,7 +101,7 @@ pub(super) fn check_persistent(configuration: &Configuration, uses: &ProjectUses
     for it in messages.iter().filter(|it| it.persistent == Some(true)) {
         if uses.shown.contains(&it.number) && !uses.removed.contains(&it.number) {
             let message = format!("the program shows message {} and never removes it", it.number);
-            report.add(report.diagnostic(&rules::MESSAGE_STAYS, it.place.span, message));
+            report.report(&rules::MESSAGE_STAYS, it.place.span, message);
         }
     }
 }

@@ -48,15 +48,15 @@ pub(crate) fn of_file(db: &dyn Db, project: Project, file: ConfigFile) -> Vec<Di
     let configuration = database::configuration_file(db, file);
     let mut report = Report { db, project, path: file.path(db), found: Vec::new() };
     for problem in &configuration.problems {
-        let mut diagnostic = report.diagnostic(problem.rule, problem.span, problem.message.clone());
+        let mut found = diagnostic(problem.rule, problem.span, problem.message.clone());
         if let Some((span, note)) = &problem.beside {
-            diagnostic.related.push((Location { file: file.path(db).clone(), span: *span }, note.clone()));
+            found.related.push((Location { file: file.path(db).clone(), span: *span }, note.clone()));
         }
-        diagnostic.fix = problem
+        found.fix = problem
             .fix
             .as_ref()
             .map(|(title, span, text)| Fix { title: title.clone(), edits: vec![(*span, text.clone())] });
-        report.add(diagnostic);
+        report.add(found);
     }
     if !configuration.broken {
         let configured = database::configured(db, project);
@@ -83,14 +83,20 @@ struct Report<'db> {
 }
 
 impl Report<'_> {
-    fn diagnostic(&self, rule: &'static Rule, span: Span, message: String) -> Diagnostic {
-        Diagnostic { code: rule.code, severity: rule.severity, message, span, related: Vec::new(), fix: None }
+    /// Reports a mistake; one with a likely remedy offers that for its place.
+    fn suggest(&mut self, rule: &'static Rule, span: Span, message: String, near: Option<&str>) {
+        let mut diagnostic = diagnostic(rule, span, message);
+        if let Some(near) = near {
+            diagnostic.message = format!("{}; did you mean {near}?", diagnostic.message);
+            let edits = vec![(span, near.to_string())];
+            diagnostic.fix = Some(Fix { title: format!("write {near}"), edits });
+        }
+        self.add(diagnostic);
     }
 
-    /// A diagnostic that offers another text for its place.
-    fn with_fix(&self, rule: &'static Rule, span: Span, message: String, text: &str) -> Diagnostic {
-        let fix = Fix { title: format!("write {text}"), edits: vec![(span, text.to_string())] };
-        Diagnostic { fix: Some(fix), ..self.diagnostic(rule, span, message) }
+    /// Reports a mistake.
+    fn report(&mut self, rule: &'static Rule, span: Span, message: String) {
+        self.add(diagnostic(rule, span, message));
     }
 
     fn add(&mut self, mut diagnostic: Diagnostic) {
@@ -101,4 +107,10 @@ impl Report<'_> {
         }
         self.found.push(diagnostic);
     }
+}
+
+/// A diagnostic with the severity of its rule.
+fn diagnostic(rule: &'static Rule, span: Span, message: String) -> Diagnostic {
+    let (code, severity) = (rule.code, rule.severity);
+    Diagnostic { code, severity, message, span, related: Vec::new(), fix: None }
 }

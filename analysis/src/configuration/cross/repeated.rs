@@ -42,7 +42,7 @@ fn named(element: ConfigElement, id: &Text, configured: &Configured, report: &mu
 fn other<T>(own: &Text, first: Option<&Definition<T>>, report: &mut Report<'_>) {
     let Some(first) = first.filter(|first| first.place.file != report.path) else { return };
     let message = format!("{} is defined in {} already", own.text, first.place.file);
-    let mut diagnostic = report.diagnostic(&rules::DUPLICATE_IDENTIFIER, own.span, message);
+    let mut diagnostic = super::diagnostic(&rules::DUPLICATE_IDENTIFIER, own.span, message);
     diagnostic.related.push((first.place.clone(), "the first one".to_string()));
     report.add(diagnostic);
 }

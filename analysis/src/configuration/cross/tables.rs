@@ -101,16 +101,8 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
     let Some(definition) = configured.tables.iter().find(|it| it.it.id.text == table.id.text) else {
         let near =
             suggest::nearest(&table.id.text, configured.tables.iter().map(|it| it.it.id.text.as_str()));
-        report.add(match near {
-            Some(near) => {
-                let message = format!("no table {} is defined; did you mean {near}?", table.id.text);
-                report.with_fix(&rules::UNKNOWN_TABLE, table.id.span, message, near)
-            }
-            None => {
-                let message = format!("no *.PlcTDef of the project defines the table {}", table.id.text);
-                report.diagnostic(&rules::UNKNOWN_TABLE, table.id.span, message)
-            }
-        });
+        let message = format!("no *.PlcTDef of the project defines the table {}", table.id.text);
+        report.suggest(&rules::UNKNOWN_TABLE, table.id.span, message, near);
         return;
     };
     let columns = &definition.it.columns;
@@ -125,16 +117,8 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
             let near =
                 suggest::nearest(&cell.column.text, columns.iter().map(|column| column.id.text.as_str()));
             let (name, table) = (&cell.column.text, &definition.it.id.text);
-            report.add(match near {
-                Some(near) => {
-                    let message = format!("the table {table} has no column {name}; did you mean {near}?");
-                    report.with_fix(&rules::UNKNOWN_COLUMN, cell.column.span, message, near)
-                }
-                None => {
-                    let message = format!("the table {table} has no column {name}");
-                    report.diagnostic(&rules::UNKNOWN_COLUMN, cell.column.span, message)
-                }
-            });
+            let message = format!("the table {table} has no column {name}");
+            report.suggest(&rules::UNKNOWN_COLUMN, cell.column.span, message, near);
             continue;
         };
         let needed = match column.kind {
@@ -145,7 +129,7 @@ pub(super) fn check_values(configuration: &Configuration, configured: &Configure
         count += 1;
         let message =
             format!("the column {} needs {needed}, not \"{}\"", column.id.text, short(&cell.value.text));
-        report.add(report.diagnostic(&rules::TABLE_VALUE, cell.value.span, message));
+        report.report(&rules::TABLE_VALUE, cell.value.span, message);
     }
 }
 

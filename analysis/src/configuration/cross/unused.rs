@@ -35,7 +35,7 @@ pub(super) fn check(
         Contents::Messages(messages) if !uses.messages_from_cells => {
             for it in messages.iter().filter(|it| !uses.messages.contains(&it.number)) {
                 let message = format!("the program never reports message {}", it.number);
-                report.add(report.diagnostic(&rules::UNUSED_IDENTIFIER, it.place.span, message));
+                report.report(&rules::UNUSED_IDENTIFIER, it.place.span, message);
             }
         }
         _ => {}
@@ -68,7 +68,7 @@ fn named(
         return;
     }
     let message = format!("the program never uses '{}'", id.text);
-    report.add(report.diagnostic(&rules::UNUSED_IDENTIFIER, id.span, message));
+    report.report(&rules::UNUSED_IDENTIFIER, id.span, message);
 }
 
 /// The program names something like it that nobody defines: that mistake is reported there.

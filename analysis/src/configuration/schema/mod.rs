@@ -127,7 +127,7 @@ impl ValueKind {
             }
             ValueKind::Real(min, max) => {
                 let number = trimmed.parse::<f64>().ok().filter(|number| number.is_finite());
-                let needed = if min == f64::MIN && max == f64::MAX {
+                let needed = if min <= f64::MIN && max >= f64::MAX {
                     "a number with a decimal point".to_string()
                 } else {
                     format!("a number from {min} to {max}")
@@ -233,7 +233,7 @@ mod tests {
                 for attribute in spec.attributes {
                     let name = format!("{}.{}", spec.name, attribute.name);
                     assert!(!attribute.help.en.is_empty() && !attribute.help.cs.is_empty(), "{name}");
-                    assert!(!(attribute.mandatory && !attribute.default.is_empty()), "{name}");
+                    assert!(!attribute.mandatory || attribute.default.is_empty(), "{name}");
                     if !attribute.default.is_empty() {
                         assert_eq!(attribute.value.objection(attribute.default), None, "{name}");
                     }
