@@ -7,6 +7,7 @@
 mod channel;
 mod keyboard;
 mod keys;
+mod motion;
 mod names;
 mod other;
 
