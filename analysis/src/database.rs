@@ -14,6 +14,9 @@ use std::sync::Arc;
 
 use crate::diagnostics::allow::Allows;
 use crate::diagnostics::{Diagnostic, Finding};
+use crate::configuration::cross::{Configured, ProjectUses};
+use crate::configuration::uses::SectionUses;
+use crate::configuration::{ConfigKind, Configuration};
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
@@ -71,6 +74,15 @@ pub struct SourceFile {
     pub order: Option<u8>,
 }
 
+/// A configuration file. An input of its own: an edit here re-runs no analysis of a section.
+#[salsa::input(debug)]
+pub struct ConfigFile {
+    /// Project path.
+    pub path: String,
+    /// Content.
+    pub text: Arc<str>,
+}
+
 /// The project.
 #[salsa::input(debug)]
 pub struct Project {
@@ -78,6 +90,8 @@ pub struct Project {
     pub files: Vec<SourceFile>,
     /// Included files, in order of their first inclusion.
     pub included: Vec<SourceFile>,
+    /// Configuration files, in order of the manifest.
+    pub configuration: Vec<ConfigFile>,
     /// What the manifest sets.
     pub settings: Arc<Settings>,
     /// Where each T_INCLUDE leads: (path of the including file, spelled name).
@@ -412,6 +426,37 @@ pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section
 #[salsa::tracked]
 pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
     crate::diagnostics::file::collect(db, project, file)
+}
+
+/// A configuration file as read.
+#[salsa::tracked]
+pub fn configuration_file(db: &dyn Db, file: ConfigFile) -> Configuration {
+    let kind = ConfigKind::of_path(file.path(db)).unwrap_or(ConfigKind::Channel);
+    crate::configuration::read(kind, file.text(db))
+}
+
+/// What the configuration files of the project define.
+#[salsa::tracked]
+pub fn configured(db: &dyn Db, project: Project) -> Configured {
+    crate::configuration::cross::configured(db, project)
+}
+
+/// What a section takes from configuration files.
+#[salsa::tracked]
+pub fn section_identifiers<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionUses {
+    crate::configuration::uses::collect(db, project, section)
+}
+
+/// What the program takes from configuration files.
+#[salsa::tracked]
+pub fn configuration_uses(db: &dyn Db, project: Project) -> ProjectUses {
+    crate::configuration::cross::project_uses(db, project)
+}
+
+/// All mistakes of a configuration file, sorted.
+#[salsa::tracked]
+pub fn configuration_diagnostics(db: &dyn Db, project: Project, file: ConfigFile) -> Vec<Diagnostic> {
+    crate::configuration::cross::of_file(db, project, file)
 }
 
 /// Where everything lies in memory.

@@ -10,6 +10,7 @@
 
 pub mod build;
 pub mod catalogue;
+pub mod configuration;
 pub mod database;
 pub mod diagnostics;
 mod explain;

@@ -18,6 +18,14 @@ impl FileReader for Memory {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         self.0.get(path).cloned().ok_or_else(|| "no such file".to_string())
     }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let inside = |path: &String| {
+            let (at, name) = path.rsplit_once('/').unwrap_or(("", path));
+            (at == folder).then(|| name.to_string())
+        };
+        self.0.keys().filter_map(inside).collect()
+    }
 }
 
 fn check(files: &[(&str, &str)], root: &str) -> Vec<(String, Vec<Diagnostic>)> {

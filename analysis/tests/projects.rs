@@ -19,6 +19,14 @@ impl FileReader for Memory {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         self.0.get(path).cloned().ok_or_else(|| "no such file".to_string())
     }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let inside = |path: &String| {
+            let (at, name) = path.rsplit_once('/').unwrap_or(("", path));
+            (at == folder).then(|| name.to_string())
+        };
+        self.0.keys().filter_map(inside).collect()
+    }
 }
 
 const MAIN: &str = "\
@@ -286,6 +294,11 @@ struct Disk;
 impl FileReader for Disk {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         std::fs::read(path).map_err(|error| error.to_string())
+    }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
 }
 

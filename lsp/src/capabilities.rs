@@ -31,8 +31,8 @@ fn capabilities(client: Client) -> ServerCapabilities {
         text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         completion_provider: Some(CompletionOptions {
-            // The dot of a prefix or of `adr.bit`; letters ask by themselves.
-            trigger_characters: Some(vec![".".into()]),
+            // The dot of a prefix or of `adr.bit`, the apostrophe of an identifier; letters ask by themselves.
+            trigger_characters: Some(vec![".".into(), "'".into()]),
             resolve_provider: Some(false),
             ..CompletionOptions::default()
         }),

@@ -4,6 +4,7 @@ use super::rules::{
     declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules,
 };
 use super::{Anchor, Diagnostic, Finding, Fix, allow, syntax};
+use crate::configuration::cross;
 use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
@@ -67,6 +68,7 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
+    found.extend(cross::of_section(db, project, section).into_iter().map(|finding| (section, finding)));
     includes(db, project, section, found);
 }
 

@@ -9,6 +9,7 @@ pub mod hover;
 pub mod references;
 pub mod workspace_symbols;
 
+mod configured;
 mod cursor;
 mod describe;
 #[cfg(test)]

@@ -12,6 +12,11 @@ impl Analysis {
     /// # Errors
     /// A change overtook the question.
     pub fn hover(&self, file: &str, at: Position, language: Language) -> Cancellable<Option<Hover>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                project.and_then(|project| super::configured::hover_in_file(db, project, own, at, language))
+            });
+        }
         self.ask(file, |db, project, source| super::hover(db, project, source, at, language))
     }
 
@@ -20,6 +25,11 @@ impl Analysis {
     /// # Errors
     /// A change overtook the question.
     pub fn definition(&self, file: &str, at: Position) -> Cancellable<Vec<Location>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                project.map_or_else(Vec::new, |it| super::configured::definition_in_file(db, it, own, at))
+            });
+        }
         self.ask(file, |db, project, source| super::definition(db, project, source, at))
     }
 
@@ -33,6 +43,12 @@ impl Analysis {
         at: Position,
         include_declaration: bool,
     ) -> Cancellable<Vec<Reference>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                let all = |it| super::configured::references_in_file(db, it, own, at, include_declaration);
+                project.map_or_else(Vec::new, all)
+            });
+        }
         self.ask(file, |db, project, source| super::references(db, project, source, at, include_declaration))
     }
 

@@ -10,6 +10,7 @@
 
 pub mod allow;
 pub mod build;
+pub mod configuration;
 pub mod declarations;
 pub mod equations;
 pub mod macros;
@@ -109,6 +110,36 @@ pub static RULES: &[&Rule] = &[
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
     &build::NOT_TRANSLATABLE,
+    &configuration::BROKEN_CONFIGURATION,
+    &configuration::DOCUMENT_TYPE,
+    &configuration::UNKNOWN_ELEMENT,
+    &configuration::UNKNOWN_ATTRIBUTE,
+    &configuration::WRONG_CONFIGURATION_VALUE,
+    &configuration::MISSING_ATTRIBUTE,
+    &configuration::DUPLICATE_IDENTIFIER,
+    &configuration::MESSAGE_TEXT,
+    &configuration::TABLE_COUNT,
+    &configuration::UNKNOWN_IDENTIFIER,
+    &configuration::IDENTIFIER_TYPE,
+    &configuration::CONSTANT_TOO_WIDE,
+    &configuration::UNUSED_IDENTIFIER,
+    &configuration::IDENTIFIER_FORM,
+    &configuration::UNKNOWN_MESSAGE,
+    &configuration::MESSAGE_VALUES,
+    &configuration::MESSAGE_VALIDITY,
+    &configuration::MESSAGE_STAYS,
+    &configuration::UNKNOWN_TABLE,
+    &configuration::UNKNOWN_COLUMN,
+    &configuration::TABLE_VALUE,
+    &configuration::COLUMN_TYPE,
+    &configuration::UNKNOWN_COMMAND,
+    &configuration::COMMAND_IGNORED,
+    &configuration::UNKNOWN_COMMAND_CODE,
+    &configuration::UNKNOWN_LOGICAL_ELEMENT,
+    &configuration::CONNECTION_DIRECTION,
+    &configuration::CONVERSION_WITHOUT_EFFECT,
+    &configuration::NOT_CONNECTED,
+    &configuration::UNKNOWN_PORT,
     &macros::MACRO_ARGUMENTS,
     &macros::MACRO_REDEFINED,
     &macros::MACRO_USED_BEFORE,

@@ -10,7 +10,7 @@ pub static UNKNOWN_KEY: Rule = Rule {
     fixed: false,
     explanation: "`technol.toml` holds a table or key this version does not know, usually a misspelling, so it has \
         no effect. Keys are written in kebab-case: `[project] name, main, files, include-dirs, system-dir, \
-        encoding`, `[machine] file`, `[target] address`, `[debug] everywhere`, `[lints]`.",
+        configuration, encoding`, `[machine] file`, `[target] address`, `[debug] everywhere`, `[lints]`.",
     why: "A misspelled key looks as if it were set, and the default applies unnoticed.",
     wrong: "\
 ;=== technol.toml
