@@ -74,7 +74,7 @@ fn filled(template: &str, choices: &[Choice]) -> String {
         let (reference, rest) = part.split_once('}').unwrap_or((part, ""));
         match meaning(reference, choices) {
             Some(meaning) => text.push_str(meaning),
-            None => text.push_str(&format!("{{{reference}}}")),
+            None => text.extend(["{", reference, "}"]),
         }
         text.push_str(rest);
     }
