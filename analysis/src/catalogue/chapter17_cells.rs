@@ -14,11 +14,11 @@ const INTEGER_TARGET: OperandKind = OperandKind::OneOf(&[RESULT, OperandKind::Te
 const REALS: PrefixSet = PrefixSet::of(&[Prefix::Qwrd, Prefix::Real]);
 /// A real number that a table takes over.
 const REAL_SOURCE: OperandKind =
-    OperandKind::OneOf(&[source(REALS, REALS), OperandKind::Address(Access::Read)]);
+    OperandKind::OneOf(&[source(REALS, REALS), OperandKind::Text(Access::Read)]);
 /// Where a real number of a table goes.
 const REAL_TARGET: OperandKind = OperandKind::OneOf(&[
     OperandKind::Data { access: Access::Write, prefixes: REALS, declared: REALS, negatable: false },
-    OperandKind::Address(Access::Write),
+    OperandKind::Text(Access::Write),
 ]);
 
 const LINE: OperandSpec = operand(
@@ -110,8 +110,8 @@ pub(super) static ENTRIES: &[Entry] = &[
         "PLCT_GET_REAL",
         REAL_TARGET,
         [
-            "8 bytes: REAL cell, area of DS 8, with `REAL.` or without, or a text with an optional offset",
-            "8 bajtů: buňka REAL, oblast DS 8 s `REAL.` i bez něj, nebo text s případným posunem"
+            "8 bytes: REAL cell, area of `DS 8` with `REAL.` or without it, text with an optional offset",
+            "8 bajtů: buňka REAL, oblast `DS 8` s `REAL.` i bez něj, text s případným posunem"
         ],
         ["a real number", "reálné číslo"],
         [
@@ -206,8 +206,8 @@ pub(super) static ENTRIES: &[Entry] = &[
         "PLCT_SET_REAL",
         REAL_SOURCE,
         [
-            "8 bytes: REAL cell, area of DS 8, with `REAL.` or without, or a text with an optional offset",
-            "8 bajtů: buňka REAL, oblast DS 8 s `REAL.` i bez něj, nebo text s případným posunem"
+            "8 bytes: REAL cell, area of `DS 8` with `REAL.` or without it, text with an optional offset",
+            "8 bajtů: buňka REAL, oblast `DS 8` s `REAL.` i bez něj, text s případným posunem"
         ],
         ["a real number", "reálné číslo"],
         [

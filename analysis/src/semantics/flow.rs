@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind};
-use crate::catalogue::Effect;
+use crate::catalogue::{Effect, Equation};
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::sequences as rules;
 use crate::syntax::ast::{Columns, Line};
