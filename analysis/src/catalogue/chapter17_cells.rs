@@ -13,8 +13,7 @@ const INTEGER_TARGET: OperandKind = OperandKind::OneOf(&[RESULT, OperandKind::Te
 /// Types of a real number in memory.
 const REALS: PrefixSet = PrefixSet::of(&[Prefix::Qwrd, Prefix::Real]);
 /// A real number that a table takes over.
-const REAL_SOURCE: OperandKind =
-    OperandKind::OneOf(&[source(REALS, REALS), OperandKind::Text(Access::Read)]);
+const REAL_SOURCE: OperandKind = OperandKind::OneOf(&[source(REALS, REALS), OperandKind::Text(Access::Read)]);
 /// Where a real number of a table goes.
 const REAL_TARGET: OperandKind = OperandKind::OneOf(&[
     OperandKind::Data { access: Access::Write, prefixes: REALS, declared: REALS, negatable: false },

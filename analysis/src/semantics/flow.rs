@@ -103,9 +103,8 @@ impl Graph {
                 continue;
             };
             // Instructions of several cycles (PLCT_, ECAT_) leave the waiting to the EX0 behind them.
-            graph.waits[index] = code.entry.ex_type
-                && code.entry.equation == Equation::Terminal
-                && code.entry.name != "BEX";
+            graph.waits[index] =
+                code.entry.ex_type && code.entry.equation == Equation::Terminal && code.entry.name != "BEX";
             let jumps = matches!(code.entry.name, "JUM" | "JL0" | "JL1") || is_raster(code);
             if jumps {
                 let target = *targets.get(label_of(code)?)?;
