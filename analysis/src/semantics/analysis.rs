@@ -16,6 +16,8 @@ pub struct SectionAnalysis {
     pub references: Vec<Reference>,
     /// Accesses that end outside the declared memory of their symbol.
     pub overruns: Vec<Overrun>,
+    /// Records of two bytes that begin at the last byte of their symbol.
+    pub records: Vec<Record>,
     /// Procedures it calls, with the place of the call.
     pub calls: Vec<(SymbolKey, u32, Columns)>,
 }
@@ -35,4 +37,17 @@ pub struct Overrun {
     pub bytes: u32,
     /// Length declared for the symbol in bytes.
     pub declared: u32,
+}
+
+/// A record of two bytes (POS_MODE, POS_CONTROL) whose second byte is what is declared next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Record {
+    /// 0-based own line.
+    pub line: u32,
+    /// Columns of the operand.
+    pub columns: Columns,
+    /// The symbol of its first byte.
+    pub symbol: SymbolKey,
+    /// The instruction that takes it.
+    pub instruction: &'static str,
 }

@@ -1,7 +1,7 @@
 //! The code of one section: walks its lines from top to bottom, looks up operations, checks their place, resolves
 //! their operands and hands them to equations and control flow.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::analysis::{Overrun, SectionAnalysis};
@@ -9,7 +9,7 @@ use super::equations::Equations;
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
-use super::{flow, moves, operands, place, suggest};
+use super::{devices, flow, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
 use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
@@ -339,6 +339,12 @@ impl<'db> CodeReader<'db> {
             let lines = &database::section_lines(self.db, self.section).lines;
             let found = flow::check(&self.out.body, lines, &labels, self.unreadable);
             self.out.findings.extend(found);
+            let devices = devices::check(&self.out.body, lines, self.section.kind(self.db));
+            // What an instruction with a mistake means is not known.
+            let wrong: BTreeSet<u32> =
+                self.out.findings.iter().filter(|f| f.blocks()).map(|f| f.line).collect();
+            self.out.findings.extend(devices.findings.into_iter().filter(|f| !wrong.contains(&f.line)));
+            self.out.records = devices.records;
         }
         self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
         let blocked = self.out.findings.iter().any(Finding::blocks);

@@ -131,10 +131,11 @@ fn loops(
         let leaves =
             circle.iter().flat_map(|node| &graph.next[*node]).any(|next| circle.binary_search(next).is_err());
         let works = circle.iter().filter_map(|node| instruction(&body.statements[*node])).any(|code| {
-            code.entry
-                .writes
-                .iter()
-                .any(|effect| matches!(effect, Effect::Memory | Effect::Dr | Effect::Dr64 | Effect::DrReal))
+            // What takes several cycles does not go on within this one.
+            !code.entry.ex_type
+                && code.entry.writes.iter().any(|effect| {
+                    matches!(effect, Effect::Memory | Effect::Dr | Effect::Dr64 | Effect::DrReal)
+                })
         });
         let head = circle.iter().find_map(|node| body.statements[*node].labels.first());
         let Some((name, (line, columns))) = head.and_then(|label| labels.get_key_value(label)) else {

@@ -3,6 +3,7 @@
 pub mod build;
 pub mod declarations;
 pub mod equations;
+pub mod lints;
 pub mod names;
 pub mod operands;
 pub mod project;
@@ -96,6 +97,16 @@ pub static RULES: &[&Rule] = &[
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
     &build::NOT_TRANSLATABLE,
+    &lints::RECORD_OF_ONE_BYTE,
+    &lints::RESULT_NOT_AWAITED,
+    &lints::JUMP_DECIDED_BY_WAIT,
+    &lints::ERROR_NOT_TESTED,
+    &lints::AXIS_LEFT_OUT,
+    &lints::PORT_IN_A_CELL,
+    &lints::STATE_WITHOUT_TARGET,
+    &lints::RAMP_RUNS_ONCE,
+    &lints::BUFFER_TOO_SHORT,
+    &lints::REGULATOR_IN_CLOSED_LOOP,
 ];
 
 /// The rule with `code`, in any case.
