@@ -9,12 +9,12 @@
     reason = "salsa's macros write functions without docs; what is written by hand here has them"
 )]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::diagnostics::Diagnostic;
 use crate::project::{IncludeTarget, Settings};
-use crate::semantics::analysis::SectionAnalysis;
+use crate::semantics::analysis::{Device, SectionAnalysis};
 use crate::semantics::declarations::{Declarations, Exports};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
@@ -226,6 +226,19 @@ pub fn lookup<'db>(db: &'db dyn Db, project: Project, name: NameRef<'db>) -> Opt
 #[salsa::tracked]
 pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionAnalysis {
     semantics::code::analyse(db, project, section)
+}
+
+/// What a section does with devices; without positions, so that it stays equal while its other lines change.
+#[salsa::tracked]
+pub fn section_devices<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> BTreeSet<Device> {
+    section_analysis(db, project, section).devices.iter().map(|used| used.device).collect()
+}
+
+/// What the project does with devices.
+#[salsa::tracked]
+pub fn project_devices(db: &dyn Db, project: Project) -> BTreeSet<Device> {
+    let parts = &parts(db, project).parts;
+    parts.iter().flat_map(|part| section_devices(db, project, part.section)).copied().collect()
 }
 
 /// All mistakes of a file, with absolute positions, sorted.

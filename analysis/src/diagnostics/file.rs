@@ -1,14 +1,11 @@
 //! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
 
-use super::rules::{
-    declarations, lints, operands, project as project_rules, sequences, syntax as syntax_rules,
-};
-use super::{Anchor, Diagnostic, Finding, Fix, syntax};
+use super::rules::{declarations, operands, project as project_rules, sequences, syntax as syntax_rules};
+use super::{Anchor, Diagnostic, Finding, Fix, devices, syntax};
 use crate::database::{self, Db, Project, Section, Site, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
-use crate::semantics::analysis::{Overrun, Record};
-use crate::semantics::declarations::What;
+use crate::semantics::analysis::Overrun;
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::scope::Clash;
 use crate::semantics::structure;
@@ -58,8 +55,7 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
-    let records = analysis.records.iter().filter_map(|of| Some((section, record(db, project, of)?)));
-    found.extend(records);
+    found.extend(devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)));
     includes(db, project, section, found);
 }
 
@@ -90,29 +86,6 @@ fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Option<Finding> {
         format!("{length} are accessed from offset {}, but {name} has {declared}", overrun.offset)
     };
     finding(&operands::ACCESS_PAST_CELL, message)
-}
-
-/// A record of two bytes whose second byte is not declared behind the first.
-fn record(db: &dyn Db, project: Project, record: &Record) -> Option<Finding> {
-    let site = database::sites(db, project).get(&record.symbol)?.first()?;
-    let declarations = database::section_declarations(db, site.section);
-    let (What::Cell { storage } | What::Area { storage } | What::Text { storage: Some(storage), .. }) =
-        declarations.names.get(site.index as usize)?.what
-    else {
-        return None;
-    };
-    let behind = match declarations.storage.get(storage as usize + 1).map(|storage| storage.len) {
-        // A length of 0 comes from constants of other sections.
-        Some(0 | 1) => return None,
-        Some(len) => format!("a cell of {len} bytes"),
-        None => "nothing".to_string(),
-    };
-    let (name, instruction) = (&record.symbol.name, record.instruction);
-    let message = format!(
-        "{instruction} takes two bytes, but behind {name} there is {behind}; declare two DFM in a row"
-    );
-    let finding = Finding::new(&lints::RECORD_OF_ONE_BYTE, record.line, record.columns.clone(), message);
-    Some(finding.declared_at(&record.symbol))
 }
 
 fn includes<'db>(

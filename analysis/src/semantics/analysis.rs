@@ -18,6 +18,8 @@ pub struct SectionAnalysis {
     pub overruns: Vec<Overrun>,
     /// Records of two bytes that begin at the last byte of their symbol.
     pub records: Vec<Record>,
+    /// Uses of devices that other sections must match.
+    pub devices: Vec<DeviceUse>,
     /// Procedures it calls, with the place of the call.
     pub calls: Vec<(SymbolKey, u32, Columns)>,
 }
@@ -50,4 +52,41 @@ pub struct Record {
     pub symbol: SymbolKey,
     /// The instruction that takes it.
     pub instruction: &'static str,
+}
+
+/// A use of a device.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DeviceUse {
+    /// 0-based own line.
+    pub line: u32,
+    /// Columns of the operation.
+    pub columns: Columns,
+    /// What it does.
+    pub device: Device,
+}
+
+/// What an instruction does with a device. Axes are 1 to 16, 0 when not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, salsa::SalsaValue)]
+pub enum Device {
+    /// POS_INIT.
+    Init {
+        /// The axis.
+        axis: u8,
+        /// POS_INIT_X to POS_INIT_6.
+        older: bool,
+    },
+    /// POS_RESET of an axis.
+    Reset(u8),
+    /// POS_MODE of an axis.
+    Mode(u8),
+    /// POS_CONTROL of an axis.
+    Control(u8),
+    /// ANALOG_PORT.
+    Port,
+    /// ANALOG to the port of ANALOG_PORT.
+    Analog,
+    /// AX_SPI.
+    Spindle,
+    /// A write to SIM_SPEED_PT.
+    SimulatedSpeed,
 }

@@ -345,6 +345,7 @@ impl<'db> CodeReader<'db> {
                 self.out.findings.iter().filter(|f| f.blocks()).map(|f| f.line).collect();
             self.out.findings.extend(devices.findings.into_iter().filter(|f| !wrong.contains(&f.line)));
             self.out.records = devices.records;
+            self.out.devices = devices.uses;
         }
         self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
         let blocked = self.out.findings.iter().any(Finding::blocks);

@@ -2,7 +2,7 @@
 
 use technol_image::program::ModuleKind;
 
-use super::analysis::Record;
+use super::analysis::{Device, DeviceUse, Record};
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolScope};
 use crate::catalogue::{Effect, Entry, Equation};
 use crate::diagnostics::rules::lints as rules;
@@ -20,6 +20,8 @@ pub(super) struct Found {
     pub(super) findings: Vec<Finding>,
     /// Two-byte records, judged where the declarations are known.
     pub(super) records: Vec<Record>,
+    /// Uses that other sections must match.
+    pub(super) uses: Vec<DeviceUse>,
 }
 
 /// Checks a section.
@@ -45,6 +47,42 @@ fn is_transfer(entry: &Entry) -> bool {
     entry.ex_type
         && entry.equation == Equation::Overwrite
         && (entry.name.starts_with("PLCT_") || entry.name.starts_with("ECAT_"))
+}
+
+/// What other sections must match.
+fn device(code: &Instruction) -> Option<Device> {
+    let axis = |at: usize| match code.operands.get(at) {
+        Some(Operand::Integer { value, .. }) => u8::try_from(*value).unwrap_or(0),
+        _ => 0,
+    };
+    let simulated = |at: usize| match code.operands.get(at) {
+        Some(Operand::Cell { address, .. }) if address.symbol.scope == SymbolScope::System => {
+            matches!(&*address.symbol.name, "SIM_SPEED_PT" | "OTACKY_VR").then_some(Device::SimulatedSpeed)
+        }
+        _ => None,
+    };
+    let name = code.entry.name;
+    match name {
+        "STO" | "STO0" | "STO1" | "MOVE" | "MOVE1" => simulated(0),
+        "POS_INIT" => Some(Device::Init { axis: axis(0), older: false }),
+        "POS_RESET" => Some(Device::Reset(axis(0))),
+        "POS_MODE" => Some(Device::Mode(axis(3))),
+        "POS_CONTROL" => Some(Device::Control(axis(3))),
+        "ANALOG_PORT" => Some(Device::Port),
+        "ANALOG" if code.operands.len() < 2 => Some(Device::Analog),
+        "AX_SPI" => Some(Device::Spindle),
+        _ => {
+            let (what, axis) = name.strip_prefix("POS_")?.split_once('_')?;
+            let axis = ["X", "Y", "Z", "4", "5", "6"].iter().position(|letter| *letter == axis)? as u8 + 1;
+            match what {
+                "INIT" => Some(Device::Init { axis, older: true }),
+                "RESET" => Some(Device::Reset(axis)),
+                "MODE" => Some(Device::Mode(axis)),
+                "CONTROL" => Some(Device::Control(axis)),
+                _ => None,
+            }
+        }
+    }
 }
 
 struct Check<'a> {
@@ -82,6 +120,10 @@ impl<'a> Check<'a> {
             self.transfer(index, code);
         }
         self.buffer(index, code);
+        if let Some(device) = device(code) {
+            let (line, columns) = self.columns(index, None);
+            self.found.uses.push(DeviceUse { line, columns, device });
+        }
     }
 
     /// Columns of an operand, or of the operation. What a macro expands to has no operands of its own in the line.

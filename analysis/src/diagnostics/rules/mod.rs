@@ -107,6 +107,9 @@ pub static RULES: &[&Rule] = &[
     &lints::RAMP_RUNS_ONCE,
     &lints::BUFFER_TOO_SHORT,
     &lints::REGULATOR_IN_CLOSED_LOOP,
+    &lints::POSITIONING_INCOMPLETE,
+    &lints::ANALOG_WITHOUT_PORT,
+    &lints::SIMULATED_SPINDLE_SWITCHED,
 ];
 
 /// The rule with `code`, in any case.
