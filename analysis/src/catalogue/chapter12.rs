@@ -2,7 +2,7 @@
 
 use super::entry::{Access, Effect, Entry, OperandKind, OperandSpec, Prefix, PrefixSet};
 use super::pattern::{
-    AXIS, CELLS, COUNTERS, MESSAGE, MESSAGE_VALUE, UNMODELLED, VALUES, example, form, operand, source, text,
+    AXIS, CELLS, COUNTERS, MESSAGE_VALUE, UNMODELLED, VALUES, WORD_CELL, example, form, operand, source, text,
 };
 
 /// A port or the cell that holds its number.
@@ -16,6 +16,9 @@ const ROLE: OperandKind = OperandKind::OneOf(&[
     OperandKind::KeywordOrNumber(&["OFF", "MAIN", "ASSIST", "SET", "S"], 0, 3),
     OperandKind::Number { min: 5, max: 5 },
 ]);
+/// A signed or unsigned word by value.
+const OUTPUT_WORD: OperandKind =
+    OperandKind::OneOf(&[OperandKind::Number { min: -0x8000, max: 0xFFFF }, WORD_CELL]);
 /// The value that RAMP moves.
 const RAMPED: OperandKind = OperandKind::Data {
     access: Access::ReadWrite,
@@ -29,7 +32,7 @@ const STEP: OperandKind = source(VALUES, VALUES);
 /// The output value of an instruction that needs it or `-`.
 const OUTPUT: OperandSpec = operand(
     "value",
-    source(MESSAGE, MESSAGE),
+    OUTPUT_WORD,
     "Signed 16-bit value, 7FFFh is full positive voltage; with `-` or NIL it is taken from DR",
     "Hodnota 16 bitů se znaménkem, 7FFFh je plné kladné napětí; s `-` nebo NIL se bere z DR",
 )
@@ -176,7 +179,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[
             operand(
                 "feed1",
-                source(MESSAGE, MESSAGE),
+                OUTPUT_WORD,
                 "Speed up to the zero pulse in 1/1000 ° per minute, the sign is the direction; otherwise \
                  RefSpeedLow",
                 "Rychlost až na nulový pulz v 1/1000 ° za minutu, znaménko určuje směr; jinak RefSpeedLow",
@@ -184,7 +187,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             .or_dash(),
             operand(
                 "feed2",
-                source(MESSAGE, MESSAGE),
+                OUTPUT_WORD,
                 "Speed of the additional rotation in 1/1000 ° per minute, with sign; otherwise RefSpeedLow",
                 "Rychlost přídavného natočení v 1/1000 ° za minutu se znaménkem; jinak RefSpeedLow",
             )
@@ -198,7 +201,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             .or_dash(),
             operand(
                 "accel",
-                source(MESSAGE, MESSAGE),
+                OUTPUT_WORD,
                 "Ramp of all phases in mm/s²; otherwise Acceleration",
                 "Rampa všech fází v mm/s²; jinak Acceleration",
             )

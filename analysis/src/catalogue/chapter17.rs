@@ -141,13 +141,13 @@ pub(super) static ENTRIES: &[Entry] = &[
         ),
         description: text(
             concat!(
-                "Stores PlcTabType_Int (1), PlcTabType_Real (2), PlcTabType_Str (3) or PlcTabType_Bin (4). Only \
-                 4 is legible in the manual, the others follow from the order (this implementation).",
+                "Stores PlcTabType_Int (1), PlcTabType_Real (2), PlcTabType_Str (3) or PlcTabType_Bin (4). The \
+                 numbers 1 to 3 follow the order of the types in the manual (this implementation).",
                 en_result!()
             ),
             concat!(
-                "Uloží PlcTabType_Int (1), PlcTabType_Real (2), PlcTabType_Str (3) nebo PlcTabType_Bin (4). V \
-                 příručce je čitelná jen hodnota 4, ostatní plynou z pořadí (tato implementace).",
+                "Uloží PlcTabType_Int (1), PlcTabType_Real (2), PlcTabType_Str (3) nebo PlcTabType_Bin (4). Čísla \
+                 1 až 3 odpovídají pořadí typů v příručce (tato implementace).",
                 cs_result!()
             ),
         ),

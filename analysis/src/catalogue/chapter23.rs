@@ -1,7 +1,7 @@
 //! Chapter 23: serial ports.
 
 use super::entry::{Access, Effect, Entry, Equation, OperandKind, OperandSpec, Prefix, PrefixSet};
-use super::pattern::{COUNTERS, UNMODELLED, example, form, operand, source, text};
+use super::pattern::{BYTE_CELL, COUNTERS, UNMODELLED, example, form, operand, source, text};
 
 const COM: OperandSpec = operand(
     "com",
@@ -10,7 +10,8 @@ const COM: OperandSpec = operand(
     "Logický kanál: No prvku ComChannel, ne číslo portu",
 );
 /// A byte that is sent.
-const CHARACTER: PrefixSet = PrefixSet::of(&[Prefix::Byte, Prefix::Cnst]);
+const CHARACTER: OperandKind =
+    OperandKind::OneOf(&[OperandKind::Number { min: -0x80, max: 0xFF }, BYTE_CELL]);
 /// A byte that is received.
 const RECEIVED: OperandKind = OperandKind::Data {
     access: Access::Write,
@@ -32,7 +33,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             COM,
             operand(
                 "value",
-                source(CHARACTER, CHARACTER),
+                CHARACTER,
                 "Character: BYTE cell or constant; otherwise DR8",
                 "Znak: buňka BYTE nebo konstanta; jinak DR8",
             )
