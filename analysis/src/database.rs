@@ -9,12 +9,12 @@
     reason = "salsa's macros write functions without docs; what is written by hand here has them"
 )]
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::diagnostics::Diagnostic;
 use crate::project::{IncludeTarget, Settings};
-use crate::semantics::analysis::{Device, SectionAnalysis};
+use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Exports};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
@@ -228,15 +228,18 @@ pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section
     semantics::code::analyse(db, project, section)
 }
 
+/// What is done with devices.
+pub type Devices = std::collections::BTreeSet<semantics::analysis::Device>;
+
 /// What a section does with devices; without positions, so that it stays equal while its other lines change.
 #[salsa::tracked]
-pub fn section_devices<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> BTreeSet<Device> {
+pub fn section_devices<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Devices {
     section_analysis(db, project, section).devices.iter().map(|used| used.device).collect()
 }
 
 /// What the project does with devices.
 #[salsa::tracked]
-pub fn project_devices(db: &dyn Db, project: Project) -> BTreeSet<Device> {
+pub fn project_devices(db: &dyn Db, project: Project) -> Devices {
     let parts = &parts(db, project).parts;
     parts.iter().flat_map(|part| section_devices(db, project, part.section)).copied().collect()
 }

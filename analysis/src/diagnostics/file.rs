@@ -1,7 +1,7 @@
 //! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
 
 use super::rules::{declarations, operands, project as project_rules, sequences, syntax as syntax_rules};
-use super::{Anchor, Diagnostic, Finding, Fix, devices, syntax};
+use super::{Anchor, Diagnostic, Finding, Fix, syntax};
 use crate::database::{self, Db, Project, Section, Site, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
@@ -55,7 +55,9 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
-    found.extend(devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)));
+    found.extend(
+        super::devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)),
+    );
     includes(db, project, section, found);
 }
 
