@@ -13,33 +13,16 @@ pub static RECORD_OF_ONE_BYTE: Rule = Rule {
     why: "The unit writes both bytes whenever the instruction runs. What lies behind a single byte changes without a \
         visible reason.",
     wrong: "\
-DATA
-CNT:    DFM ,,,,,,,
-TRAVEL: DS 4
-SLOPE:  DS 2
-STAT:   DS 2
-DATA_END
-MODULE_MAIN
-    POS_INIT 1
-    POS_MODE CNT,TRAVEL,SLOPE,1
-    POS_CONTROL STAT,0,-,1
-    POS_RESET 1
-MODULE_MAIN_END
+POS_INIT 1
+POS_MODE SMALL,LARGE,MIDDLE,1   ;SMALL is one BYTE, MIDDLE follows
+POS_CONTROL TABLE,LARGE,-,1
+POS_RESET 1
 ",
     right: "\
-DATA
-CNT:    DFM ,,,,,,,
-CNT_2:  DFM MP_X
-TRAVEL: DS 4
-SLOPE:  DS 2
-STAT:   DS 2
-DATA_END
-MODULE_MAIN
-    POS_INIT 1
-    POS_MODE CNT,TRAVEL,SLOPE,1
-    POS_CONTROL STAT,0,-,1
-    POS_RESET 1
-MODULE_MAIN_END
+POS_INIT 1
+POS_MODE TABLE+2,LARGE,MIDDLE,1
+POS_CONTROL TABLE,LARGE,-,1
+POS_RESET 1
 ",
     chapter: "19.2",
     ..Rule::BASE
