@@ -5,6 +5,7 @@
 //! project's `[lints]` ask for.
 
 pub mod allow;
+mod devices;
 pub(crate) mod file;
 pub mod rules;
 mod syntax;

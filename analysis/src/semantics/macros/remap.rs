@@ -63,6 +63,16 @@ pub(crate) fn analysis(expansion: &Expansion<'_>, found: SectionAnalysis) -> Sec
         overrun.line = own(line);
         mapped.overruns.push(overrun);
     }
+    for mut record in found.records {
+        record.columns = expansion.shown(record.line, &record.columns);
+        record.line = own(record.line);
+        mapped.records.push(record);
+    }
+    for mut device in found.devices {
+        device.columns = expansion.shown(device.line, &device.columns);
+        device.line = own(device.line);
+        mapped.devices.push(device);
+    }
     for (key, line, columns) in found.calls {
         let columns = expansion.shown(line, &columns);
         mapped.calls.push((key, own(line), columns));
