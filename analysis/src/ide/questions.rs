@@ -1,6 +1,6 @@
 //! The features as questions to a snapshot.
 
-use super::{Completion, DocumentSymbol, Hover, Reference, WorkspaceSymbol};
+use super::{Completion, DocumentSymbol, Hover, Reference, SignatureHelp, WorkspaceSymbol};
 use crate::catalogue::Language;
 use crate::database::{Database, Project, SourceFile};
 use crate::location::{Location, Position};
@@ -74,6 +74,19 @@ impl Analysis {
     /// A change overtook the question.
     pub fn completion(&self, file: &str, at: Position, language: Language) -> Cancellable<Vec<Completion>> {
         self.ask(file, |db, project, source| super::completion(db, project, source, at, language))
+    }
+
+    /// The operands of the instruction that is being written at a position.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn signature_help(
+        &self,
+        file: &str,
+        at: Position,
+        language: Language,
+    ) -> Cancellable<Option<SignatureHelp>> {
+        self.ask(file, |db, project, source| super::signature_help(db, project, source, at, language))
     }
 
     /// A question about a file; the empty answer when it does not belong to the project.
