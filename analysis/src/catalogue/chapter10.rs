@@ -1,7 +1,41 @@
 //! Chapter 10: mapping of inputs and outputs.
 
-use super::entry::{Effect, Entry, Place};
-use super::pattern::{ANY_OPERANDS, UNMODELLED, form, text};
+use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
+use super::pattern::{UNMODELLED, form, operand, text};
+
+const fn new_name(cell: NewCell) -> OperandSpec {
+    operand(
+        "name",
+        OperandKind::Declares(cell),
+        "New name that the instruction declares",
+        "Nové jméno, které instrukce deklaruje",
+    )
+}
+const fn identifier(element: ConfigElement) -> OperandSpec {
+    operand(
+        "ID",
+        OperandKind::Identifier(element),
+        "Identifier in the channel configuration",
+        "Identifikátor v konfiguraci kanálu",
+    )
+}
+const fn default(kind: OperandKind) -> OperandSpec {
+    operand(
+        "default",
+        kind,
+        "Value when the configuration does not know the identifier",
+        "Hodnota, když konfigurace identifikátor nezná",
+    )
+    .or_nothing()
+    .or_dash()
+}
+const FAST: OperandSpec = operand(
+    "FAST",
+    OperandKind::Keyword(&["FAST"]),
+    "Transfer every millisecond",
+    "Přenos každou milisekundu",
+)
+.or_nothing();
 
 /// The entries, in manual order.
 pub(super) static ENTRIES: &[Entry] = &[
@@ -13,8 +47,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("MAP_IN bit, 'ID', default"),
             form("MAP_IN bit, 'ID', [default], FAST"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[new_name(NewCell::Bit), identifier(ConfigElement::Input), default(OperandKind::Number { min: 0, max: 1 }), FAST],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares a binary input and binds it to an element of the channel configuration.",
@@ -30,8 +64,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("MAP_OUT bit, 'ID', default"),
             form("MAP_OUT bit, 'ID', [default], FAST"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[new_name(NewCell::Bit), identifier(ConfigElement::Output), default(OperandKind::Number { min: 0, max: 1 }), FAST],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares a binary output and binds it to an element of the channel configuration.",
@@ -47,8 +81,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("MAP_AIN cell, 'ID', default"),
             form("MAP_AIN cell, 'ID', [default], FAST"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[new_name(NewCell::Real), identifier(ConfigElement::AnalogInput), default(OperandKind::Constant), FAST],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares an analogue input and binds it to an element of the channel configuration.",
@@ -64,8 +98,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("MAP_AOUT cell, 'ID', default"),
             form("MAP_AOUT cell, 'ID', [default], FAST"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[new_name(NewCell::Real), identifier(ConfigElement::AnalogOutput), default(OperandKind::Constant), FAST],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares an analogue output and binds it to an element of the channel configuration.",

@@ -1,7 +1,40 @@
 //! Chapter 27: logical inputs and outputs, and the fastest modules.
 
-use super::entry::{Effect, Entry, Place};
-use super::pattern::{ANY_OPERANDS, UNMODELLED, UNMODELLED_STRUCTURE, form, text};
+use super::cell_type::CELL_TYPES;
+use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
+use super::pattern::{UNMODELLED, UNMODELLED_STRUCTURE, form, operand, text};
+
+const CELL: OperandSpec = operand(
+    "cell",
+    OperandKind::Declares(NewCell::Typed),
+    "New name that the instruction declares; `name[n]` an array",
+    "Nové jméno, které instrukce deklaruje; `jméno[n]` pole",
+);
+const fn identifier(element: ConfigElement) -> OperandSpec {
+    operand(
+        "ID",
+        OperandKind::Identifier(element),
+        "Identifier of the logical element",
+        "Identifikátor logického prvku",
+    )
+}
+const TYPE: OperandSpec =
+    operand("type", OperandKind::Keyword(CELL_TYPES), "Type of the cell", "Typ buňky");
+const DEFAULT: OperandSpec = operand(
+    "default",
+    OperandKind::Constant,
+    "Value while the element is not connected",
+    "Hodnota, dokud prvek není propojen",
+)
+.or_nothing()
+.or_dash();
+const PERIOD: OperandSpec = operand(
+    "period",
+    OperandKind::Keyword(&["SLOW", "FAST", "FASTEST", "ONDEMAND"]),
+    "How often the connection is served",
+    "Jak často se spoj obsluhuje",
+)
+.or_nothing();
 
 /// The entries, in manual order.
 pub(super) static ENTRIES: &[Entry] = &[
@@ -12,8 +45,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("DEF_IN cell, 'ID', type [,default] [,period]"),
             form("DEF_IN cell[n], 'ID', type [,default] [,period]"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[CELL, identifier(ConfigElement::LogicalInput), TYPE, DEFAULT, PERIOD],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares a logical input that the configuration links to its source.",
@@ -28,8 +61,8 @@ pub(super) static ENTRIES: &[Entry] = &[
             form("DEF_OUT cell, 'ID', type [,default] [,period]"),
             form("DEF_OUT cell[n], 'ID', type [,default] [,period]"),
         ],
-        operands: ANY_OPERANDS,
-        place: Place::Init,
+        operands: &[CELL, identifier(ConfigElement::LogicalOutput), TYPE, DEFAULT, PERIOD],
+        place: Place::InitOrProcedure,
         writes: &[Effect::Memory],
         summary: text(
             "Declares a logical output that the configuration links to its targets.",
@@ -41,7 +74,12 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "UPDATE_IN",
         chapter: "27.4",
         forms: &[form("UPDATE_IN cell"), form("UPDATE_IN cell[n]")],
-        operands: ANY_OPERANDS,
+        operands: &[operand(
+            "cell",
+            OperandKind::DeclaredElement,
+            "Cell of DEF_IN, or one element of it",
+            "Buňka z DEF_IN, nebo jeden její prvek",
+        )],
         reads: &[Effect::Memory],
         writes: &[Effect::Memory],
         summary: text("Fetches a logical input at once.", "Okamžitě načte logický vstup."),

@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+pub mod cell_type;
 pub mod entry;
 pub mod page;
 pub mod symbol;
@@ -43,6 +44,7 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
+pub use cell_type::{CELL_TYPES, CellType, cell_type};
 pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,

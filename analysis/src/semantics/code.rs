@@ -73,7 +73,26 @@ pub(super) struct CodeReader<'db> {
     end: u32,
 }
 
+/// How much a walk has recorded, so that an attempt can be taken back.
+pub(super) struct Mark {
+    pub(super) findings: usize,
+    pub(super) references: usize,
+    pub(super) overruns: usize,
+    pub(super) identifiers: usize,
+    pub(super) clean: bool,
+}
+
 impl<'db> CodeReader<'db> {
+    pub(super) fn mark(&self) -> Mark {
+        Mark {
+            findings: self.out.findings.len(),
+            references: self.out.references.len(),
+            overruns: self.out.overruns.len(),
+            identifiers: self.out.identifiers.len(),
+            clean: self.clean,
+        }
+    }
+
     fn read(&mut self) {
         let parsed = database::section_lines(self.db, self.section);
         let errors = parsed.error_lines();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::constant::{ConstExpr, NotConstant};
-use super::declarations::{Declarations, Declared, Exports, IncludeLine, Overlay, Storage, What};
+use super::declarations::{Declarations, Declared, Exports, IncludeLine, LengthOf, Overlay, Storage, What};
 use crate::catalogue;
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::declarations as rules;
@@ -41,11 +41,11 @@ pub(crate) fn exports(declarations: &Declarations) -> Exports {
         }
     }
     exports.storage = declarations.storage.iter().map(|s| Some(s.len)).collect();
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         if let Ok(expr) = ConstExpr::read(expr) {
             exports.storage[*storage as usize] = None;
             let name = name.and_then(|name| place[name as usize]);
-            exports.lengths.push((*storage, name, expr, *extra));
+            exports.lengths.push((*storage, name, expr, *counts));
         }
     }
     for (name, expr) in &declarations.expressions {
@@ -74,9 +74,9 @@ pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bo
     }
 }
 
-struct Reader {
+pub(super) struct Reader {
     kind: SectionKind,
-    found: Declarations,
+    pub(super) found: Declarations,
     /// Labels that wait for the line they belong to.
     pending: Vec<(u32, Name)>,
     /// Lines the parser complained about: their declarations are taken as unknown.
@@ -112,7 +112,12 @@ impl Reader {
                     self.declare(label, line, What::Unknown);
                 }
             }
-            _ => self.labels_of_code(),
+            _ => {
+                self.labels_of_code();
+                if let Some(new) = catalogue::entry(&operation.text).and_then(catalogue::Entry::declares) {
+                    super::new_cells::declare(self, number, line, new);
+                }
+            }
         }
     }
 
@@ -135,11 +140,11 @@ impl Reader {
         }
     }
 
-    fn broken(&self, number: u32) -> bool {
+    pub(super) fn broken(&self, number: u32) -> bool {
         self.errors.binary_search(&number).is_ok()
     }
 
-    fn report(
+    pub(super) fn report(
         &mut self,
         rule: &'static crate::diagnostics::Rule,
         line: u32,
@@ -149,7 +154,7 @@ impl Reader {
         self.found.findings.push(Finding::new(rule, line, columns, message));
     }
 
-    fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
+    pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
         self.found.names.push(Declared { name, line, what });
         self.found.names.len() as u32 - 1
@@ -166,7 +171,7 @@ impl Reader {
         }
     }
 
-    fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
+    pub(super) fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
         self.found.storage.push(Storage { len, initial });
         self.found.storage.len() as u32 - 1
     }
@@ -228,7 +233,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let Length::Later(expr) = length {
-            self.found.lengths.push((storage, first, expr, false));
+            self.found.lengths.push((storage, first, expr, LengthOf::Bytes));
         }
     }
 
@@ -254,7 +259,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let (Length::Later(expr), Some(storage)) = (length, storage) {
-            self.found.lengths.push((storage, first, expr, true));
+            self.found.lengths.push((storage, first, expr, LengthOf::Characters));
         }
     }
 
@@ -416,7 +421,10 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
 }
 
 fn is_reserved(name: &str) -> bool {
-    catalogue::entry(name).is_some_and(|entry| entry.kind != catalogue::EntryKind::EventProcedure)
+    // 80386 instructions known by name only are no obstacle: LOOP, TEST and OUT are good names.
+    let taken =
+        |entry: &catalogue::Entry| entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only();
+    catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()
         || catalogue::is_keyword(name)
 }

@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use technol_image::op::Width;
+
 use super::constant::ConstExpr;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::{Columns, Expr, Name};
@@ -17,8 +19,8 @@ pub struct Declarations {
     /// EQUI values that need other constants: index into `names`, and the expression.
     pub expressions: Vec<(u32, Expr)>,
     /// Lengths that need constants of other sections: index into `storage`, index into `names`, the expression,
-    /// and whether one byte more is reserved (STR).
-    pub lengths: Vec<(u32, Option<u32>, Expr, bool)>,
+    /// and what it counts.
+    pub lengths: Vec<(u32, Option<u32>, Expr, LengthOf)>,
     /// Files named by T_INCLUDE.
     pub includes: Vec<IncludeLine>,
     /// Mistakes in the declarations.
@@ -56,6 +58,29 @@ pub struct Storage {
     pub initial: Option<Vec<u8>>,
 }
 
+/// What a declared length counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthOf {
+    /// Bytes (DS).
+    Bytes,
+    /// Characters; a byte more is reserved (STR).
+    Characters,
+    /// Elements of this many bytes (DEF_IN, DEF_OUT).
+    Elements(u32),
+}
+
+impl LengthOf {
+    /// Bytes of memory that `count` takes.
+    #[must_use]
+    pub const fn bytes(self, count: u32) -> u32 {
+        match self {
+            LengthOf::Bytes => count,
+            LengthOf::Characters => count.saturating_add(1),
+            LengthOf::Elements(size) => count.saturating_mul(size),
+        }
+    }
+}
+
 /// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declared {
@@ -86,6 +111,15 @@ pub enum What {
     Area {
         /// Index into [`Declarations::storage`].
         storage: u32,
+    },
+    /// A cell of a named type, or an array of such cells (MAP_AIN, MAP_AOUT, DEF_IN, DEF_OUT).
+    Typed {
+        /// Index into [`Declarations::storage`].
+        storage: u32,
+        /// Type of the cell or of an element.
+        element: Width,
+        /// Declared with `[n]`, so that `name[n]` is an element.
+        array: bool,
     },
     /// A text buffer (STR n).
     Text {
@@ -121,8 +155,8 @@ pub struct Exports {
     pub indices: Vec<u32>,
     /// EQUI values that need other constants: index into `names`.
     pub expressions: Vec<(u32, ConstExpr)>,
-    /// Lengths that need other constants: index into `storage`, index into `names`, whether a byte more is reserved.
-    pub lengths: Vec<(u32, Option<u32>, ConstExpr, bool)>,
+    /// Lengths that need other constants: index into `storage`, index into `names`, what it counts.
+    pub lengths: Vec<(u32, Option<u32>, ConstExpr, LengthOf)>,
     /// Spelled names of included files.
     pub includes: Vec<(String, bool)>,
 }

@@ -20,12 +20,15 @@ pub mod structure;
 pub(crate) mod suggest;
 
 mod address;
+mod alternatives;
 mod bits;
 mod constants;
 mod data;
 mod equations;
 mod flow;
+mod identifiers;
 mod moves;
+mod new_cells;
 mod operands;
 pub(crate) mod place;
 mod sum;

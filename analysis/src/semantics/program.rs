@@ -165,7 +165,11 @@ fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash>
     let cell = |kind: &SymbolKind| {
         matches!(
             kind,
-            SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. }
+            SymbolKind::Bit { .. }
+                | SymbolKind::Cell(_)
+                | SymbolKind::Array { .. }
+                | SymbolKind::Area { .. }
+                | SymbolKind::Text { .. }
         )
     };
     match (before, now) {
@@ -223,9 +227,9 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
     let length = |storage: u32| {
         let known = exports.storage.get(storage as usize).copied().flatten();
         known.or_else(|| {
-            let (.., expr, extra) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
+            let (.., expr, counts) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
             let len = constants.value(expr).filter(|len| (1..=super::collect::MAX_LENGTH).contains(len))?;
-            Some(len as u32 + u32::from(*extra))
+            Some(counts.bytes(len as u32))
         })
     };
     match what {
@@ -237,6 +241,13 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
             Some(len) => SymbolKind::Area { len },
             None => SymbolKind::Unknown,
         },
+        What::Typed { element, array: false, .. } => SymbolKind::Cell(*element),
+        What::Typed { storage, element, array: true } => {
+            length(*storage).map_or(SymbolKind::Unknown, |len| SymbolKind::Array {
+                element: *element,
+                len: len / element.bytes(),
+            })
+        }
         What::Text { storage: Some(storage), .. } => length(*storage)
             .map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) }),
         What::Text { len, .. } => SymbolKind::Text { len: *len },
@@ -273,12 +284,12 @@ pub(crate) fn resolved(db: &dyn Db, project: Project, section: Section<'_>) -> D
             declared.what = What::Constant(value);
         }
     }
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         let len = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
         let Some(len) = len.filter(|len| (1..=super::collect::MAX_LENGTH).contains(len)) else { continue };
         let len = len as u32;
         if let Some(piece) = declarations.storage.get_mut(*storage as usize) {
-            piece.len = len + u32::from(*extra);
+            piece.len = counts.bytes(len);
         }
         if let Some(declared) = name.and_then(|name| declarations.names.get_mut(name as usize)) {
             match &mut declared.what {

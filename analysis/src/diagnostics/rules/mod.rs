@@ -3,6 +3,7 @@
 pub mod build;
 pub mod declarations;
 pub mod equations;
+pub mod memory;
 pub mod names;
 pub mod operands;
 pub mod project;
@@ -56,6 +57,7 @@ pub static RULES: &[&Rule] = &[
     &names::UNKNOWN_LABEL,
     &names::DUPLICATE_LABEL,
     &names::WRONG_SYMBOL,
+    &memory::ARRAY_OF_BITS,
     &operands::OPERAND_COUNT,
     &operands::OPERAND_KIND,
     &operands::UNTYPED_AREA,
@@ -72,6 +74,9 @@ pub static RULES: &[&Rule] = &[
     &operands::CONSTANT_DESTINATION,
     &operands::NEVER_EQUAL,
     &operands::STALE_DIVIDEND,
+    &memory::BAD_IDENTIFIER,
+    &memory::INDEX_OUTSIDE_ARRAY,
+    &memory::NO_ALTERNATIVE,
     &equations::POP_WITHOUT_PUSH,
     &equations::VALUE_LEFT_ON_STACK,
     &equations::STACK_TOO_DEEP,
