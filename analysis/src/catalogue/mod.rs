@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 pub mod cell_type;
 pub mod entry;
+pub mod logical_elements;
 pub mod page;
 pub mod symbol;
 
@@ -49,7 +50,10 @@ pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
-pub use symbol::{Direction, SystemKind, SystemSymbol, symbol, symbols};
+pub use symbol::{
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+    unit_member, unit_members,
+};
 
 /// A language of the help.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -187,6 +187,10 @@ fn own_name(request: &Request<'_>, operand: &Operand) -> Option<String> {
     operand.operation.text.eq_ignore_ascii_case(closes).then(|| request.section.name(request.db).to_string())
 }
 
+/// What predefined symbols are worse than the program's names, keywords and prefixes: there are more of them than an
+/// answer holds.
+const PREDEFINED: u8 = 4;
+
 /// Adds the visible symbols that `fit` takes: local ones, those of the project, predefined ones.
 fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl Fn(&Symbol) -> Option<u8>) {
     let scope = database::scope(request.db, request.project);
@@ -207,7 +211,7 @@ fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl
         let Some(symbol) = database::system_symbol(system.name).filter(|_| !shadowed) else { continue };
         if let Some(fit) = fit(&symbol) {
             let detail = system.summary.in_language(language).to_owned();
-            list.add(fit + 1, candidate(&symbol, system.name.to_owned(), detail));
+            list.add(PREDEFINED + fit, candidate(&symbol, system.name.to_owned(), detail));
         }
     }
 }
