@@ -77,6 +77,12 @@ impl Bilingual {
 }
 
 impl Entry {
+    /// Whether it is an 80386 instruction.
+    #[must_use]
+    pub fn is_assembler(&self) -> bool {
+        self.chapter == assembler::CHAPTER
+    }
+
     /// Whether it is an 80386 instruction known by name only, so that it is not reported as unknown. Such names
     /// make poor suggestions, and a symbol may well be called `LOOP` or `TEST`.
     #[must_use]

@@ -36,7 +36,7 @@ impl SymbolTag {
             What::Area { .. } => Some(SymbolTag::Area),
             What::Text { .. } => Some(SymbolTag::Text),
             What::Constant(_) => Some(SymbolTag::Constant),
-            What::Macro => Some(SymbolTag::Macro),
+            What::Macro | What::MacroWord => Some(SymbolTag::Macro),
             What::Mechanism => Some(SymbolTag::Mechanism),
             What::Procedure => Some(SymbolTag::Procedure),
             What::Label => None,

@@ -38,4 +38,6 @@ pub struct Overrun {
     pub bytes: u32,
     /// Length declared for the symbol in bytes.
     pub declared: u32,
+    /// Line and columns in the expansion of the section, when it stands in one.
+    pub expanded: Option<(u32, Columns)>,
 }

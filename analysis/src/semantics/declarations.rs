@@ -6,6 +6,7 @@ use std::sync::Arc;
 use technol_image::op::Width;
 
 use super::constant::ConstExpr;
+use super::macros::definition::Flags;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::{Columns, Expr, Name};
 
@@ -23,6 +24,8 @@ pub struct Declarations {
     pub lengths: Vec<(u32, Option<u32>, Expr, LengthOf)>,
     /// Files named by T_INCLUDE.
     pub includes: Vec<IncludeLine>,
+    /// APPEND_T_MACRO, CONTROL_T_MACRO and T_INCLUDE lines, ascending.
+    pub macro_lines: Vec<MacroLine>,
     /// Mistakes in the declarations.
     pub findings: Vec<Finding>,
 }
@@ -38,6 +41,48 @@ pub struct IncludeLine {
     pub name: String,
     /// It stands in apostrophes: searched in the system folder.
     pub quoted: bool,
+}
+
+/// A line that decides which words call macros (manual 22).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum MacroLine {
+    /// APPEND_T_MACRO: `word` calls the macro `target`.
+    Append {
+        /// 0-based own line.
+        line: u32,
+        /// Key of the word.
+        word: Arc<str>,
+        /// Key of the macro.
+        target: Arc<str>,
+        /// Flags of its calls.
+        flags: Flags,
+    },
+    /// CONTROL_T_MACRO.
+    Control {
+        /// 0-based own line.
+        line: u32,
+        /// PRE, else POS.
+        pre: bool,
+    },
+    /// T_INCLUDE.
+    Include {
+        /// 0-based own line.
+        line: u32,
+        /// Spelled name.
+        name: String,
+    },
+}
+
+impl MacroLine {
+    /// 0-based own line.
+    #[must_use]
+    pub const fn line(&self) -> u32 {
+        match self {
+            MacroLine::Append { line, .. }
+            | MacroLine::Control { line, .. }
+            | MacroLine::Include { line, .. } => *line,
+        }
+    }
 }
 
 /// What a text buffer lies over.
@@ -132,8 +177,10 @@ pub enum What {
     },
     /// EQUI: the value, when the line alone gives it; else see [`Declarations::expressions`].
     Constant(Option<i64>),
-    /// A user instruction (DEF_T_MACRO, APPEND_T_MACRO).
+    /// A user instruction (DEF_T_MACRO).
     Macro,
+    /// A word that calls a user instruction (APPEND_T_MACRO).
+    MacroWord,
     /// Declared by a line with a mistake: known, but nothing more can be said about it.
     Unknown,
     /// MECH_BEGIN: activation bit, and `name_LINE`.

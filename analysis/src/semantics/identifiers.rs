@@ -14,7 +14,7 @@ use super::reference::ReferenceAccess;
 use super::scope::{Symbol, SymbolKind};
 use super::sum::{shape, sum};
 use crate::catalogue::{self, Access, CellType, ConfigElement, Entry, NewCell, Prefix};
-use crate::database;
+use crate::database::{self, SiteOf};
 use crate::diagnostics::rules::{declarations, memory, names, operands as rules};
 use crate::syntax::ast::{Columns, Expr, ExprKind, Line};
 use crate::syntax::section::SectionKind;
@@ -242,14 +242,16 @@ pub(super) fn element(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operan
 fn is_logical(reader: &CodeReader<'_>, key: &SymbolKey) -> bool {
     let sites = database::sites(reader.db, reader.project).get(key);
     sites.into_iter().flatten().any(|site| {
-        if !matches!(site.section.kind(reader.db), SectionKind::Module(_) | SectionKind::Procedure) {
+        let (db, project) = (reader.db, reader.project);
+        if !matches!(site.section.kind(db), SectionKind::Module(_) | SectionKind::Procedure) {
             return false;
         }
-        let declared =
-            database::section_declarations(reader.db, site.section).names.get(site.index as usize);
-        let line = declared.and_then(|declared| {
-            database::section_lines(reader.db, site.section).lines.get(declared.line as usize)
-        });
+        let lines = match (site.of, database::expansion_of(db, project, site.section)) {
+            (SiteOf::Own, _) | (_, None) => &database::section_lines(db, site.section).lines,
+            (SiteOf::Local | SiteOf::Other, Some(expansion)) => &expansion.parsed.lines,
+        };
+        let declared = database::declared(db, project, *site);
+        let line = declared.and_then(|declared| lines.get(declared.line as usize));
         let entry = line.and_then(|line| catalogue::entry(&line.operation.as_ref()?.text));
         entry.and_then(Entry::declares) == Some(NewCell::Typed)
     })

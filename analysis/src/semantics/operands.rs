@@ -18,7 +18,7 @@ use crate::syntax::ast::{Expr, ExprKind, Line, Name};
 
 /// Resolves the operands of a line and checks them against each other.
 pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) -> Vec<Operand> {
-    if entry.name == "T_INCLUDE" || entry.name == "APPEND_T_MACRO" || entry.name == "CONTROL_T_MACRO" {
+    if entry.name == "T_INCLUDE" {
         return Vec::new();
     }
     let mut resolved = Vec::with_capacity(line.operands.len());
