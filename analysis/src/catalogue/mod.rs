@@ -51,7 +51,7 @@ pub use entry::{
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{
-    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol, symbols,
     unit_member, unit_members,
 };
 
