@@ -6,6 +6,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+pub mod cell_type;
 pub mod entry;
 pub mod page;
 pub mod symbol;
@@ -22,6 +23,7 @@ mod chapter22;
 mod chapter23;
 mod chapter26;
 mod chapter27;
+mod chapter27_words;
 mod chapter3_arithmetic;
 mod chapter3_bits;
 mod chapter3_compare;
@@ -43,6 +45,7 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
+pub use cell_type::{CELL_TYPES, CellType, cell_type};
 pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
@@ -149,6 +152,7 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter23::ENTRIES,
     chapter26::ENTRIES,
     chapter27::ENTRIES,
+    chapter27_words::ENTRIES,
     assembler::ENTRIES,
 ];
 

@@ -129,6 +129,12 @@ impl OperandSpec {
         self
     }
 
+    /// The same operand, which must be given, be it as `-`.
+    pub(super) const fn required(mut self) -> OperandSpec {
+        self.optional = false;
+        self
+    }
+
     /// The same operand, comma separated any number of times.
     pub(super) const fn repeated(mut self) -> OperandSpec {
         self.repeatable = true;
