@@ -15,9 +15,14 @@ use std::sync::Arc;
 use crate::diagnostics::Diagnostic;
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
-use crate::semantics::declarations::{Declarations, Exports};
+use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
+use crate::semantics::macros::circles::{self, MacroCircle};
+use crate::semantics::macros::declare::{self, ExpansionDeclarations, ExpansionExports};
+use crate::semantics::macros::definition::{self, MacroDefinition};
+use crate::semantics::macros::expand::{self, Expansion};
+use crate::semantics::macros::table::{self, FileMacros, MacroMeaning, MacroTable};
 use crate::semantics::program::Parts;
 use crate::semantics::recursion::RecursiveCall;
 use crate::semantics::scope::{Scope, Symbol};
@@ -108,13 +113,26 @@ pub struct Section<'db> {
     pub lines: Vec<u32>,
 }
 
-/// Where a name is declared: the section, and the index in its [`Declarations::names`].
+/// Where a name is declared: the section, and the index in the names of its declarations, see [`declared`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, salsa::SalsaValue)]
 pub struct Site<'db> {
     /// The section.
     pub section: Section<'db>,
-    /// Index in its declared names.
+    /// Which of its declarations.
+    pub of: SiteOf,
+    /// Index in their names.
     pub index: u32,
+}
+
+/// Which declarations of a section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, salsa::SalsaValue)]
+pub enum SiteOf {
+    /// Those of its own lines.
+    Own,
+    /// Those in DATA_LOCAL of the macros it calls.
+    Local,
+    /// The others in the macros it calls.
+    Other,
 }
 
 /// A name as a section sees it.
@@ -188,17 +206,140 @@ pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> Exports {
     collect::exports(section_declarations(db, section))
 }
 
+/// Lines of a section that decide which words call macros.
+#[salsa::tracked]
+pub fn section_macro_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> Vec<MacroLine> {
+    section_declarations(db, section).macro_lines.clone()
+}
+
+/// The macro that a section defines.
+#[salsa::tracked]
+pub fn macro_definition<'db>(db: &'db dyn Db, section: Section<'db>) -> MacroDefinition {
+    definition::read(db, section)
+}
+
+/// Definitions and directives of macros in a file, in text order.
+#[salsa::tracked]
+pub fn file_macros(db: &dyn Db, file: SourceFile) -> FileMacros<'_> {
+    table::of_file(db, file)
+}
+
+/// Definitions and directives of macros in the project, in text order.
+#[salsa::tracked]
+pub fn macro_table(db: &dyn Db, project: Project) -> MacroTable<'_> {
+    table::of_project(db, project)
+}
+
+/// Whether the project has macros: without them nothing else about macros is asked.
+#[salsa::tracked(returns(copy))]
+pub fn has_macros(db: &dyn Db, project: Project) -> bool {
+    !macro_table(db, project).is_empty()
+}
+
+/// Whether CONTROL_T_MACRO PRE stands somewhere: then instructions may be macros.
+#[salsa::tracked(returns(copy))]
+pub fn macros_before(db: &dyn Db, project: Project) -> bool {
+    macro_table(db, project).has_pre()
+}
+
+/// What a word calls in a section.
+#[salsa::tracked]
+pub fn macro_meaning<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+    word: NameRef<'db>,
+) -> MacroMeaning<'db> {
+    table::meaning(db, project, section, word.key(db))
+}
+
+/// Whether a word calls a macro somewhere in the project.
+#[salsa::tracked(returns(copy))]
+pub fn macro_somewhere<'db>(db: &'db dyn Db, project: Project, word: NameRef<'db>) -> bool {
+    macro_table(db, project).has(word.key(db))
+}
+
+/// The lines of a section with its calls expanded; `None` when it has none. Ask [`expansion_of`].
+#[salsa::tracked]
+pub fn expansion<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Option<Expansion<'db>> {
+    expand::expand(db, project, section)
+}
+
+/// The lines of a section with its calls expanded; `None` when it has none.
+pub fn expansion_of<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+) -> Option<&'db Expansion<'db>> {
+    if has_macros(db, project) { expansion(db, project, section).as_ref() } else { None }
+}
+
+/// What the expansions of a section declare.
+#[salsa::tracked]
+pub fn expansion_declarations<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+) -> ExpansionDeclarations {
+    let found = expansion_of(db, project, section);
+    found.map_or_else(ExpansionDeclarations::default, |it| declare::declarations(it, section.kind(db)))
+}
+
+/// What the expansions of a section declare for others, without positions.
+#[salsa::tracked]
+pub fn expansion_exports<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> ExpansionExports {
+    declare::exports(expansion_declarations(db, project, section))
+}
+
+/// The declarations in the expansions of a section with lengths and constants that need others filled in.
+#[salsa::tracked]
+pub fn resolved_expansion<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    section: Section<'db>,
+) -> ExpansionDeclarations {
+    let own = expansion_declarations(db, project, section);
+    ExpansionDeclarations {
+        local: semantics::program::resolved(db, project, section, own.local.clone()),
+        other: semantics::program::resolved(db, project, section, own.other.clone()),
+        ..own.clone()
+    }
+}
+
+/// Macros that call themselves.
+#[salsa::tracked]
+pub fn macro_circles(db: &dyn Db, project: Project) -> Vec<MacroCircle<'_>> {
+    circles::find(db, project)
+}
+
+/// The declaration at a site.
+pub fn declared<'db>(db: &'db dyn Db, project: Project, site: Site<'db>) -> Option<&'db Declared> {
+    let names = match site.of {
+        SiteOf::Own => &section_declarations(db, site.section).names,
+        SiteOf::Local => &expansion_declarations(db, project, site.section).local.names,
+        SiteOf::Other => &expansion_declarations(db, project, site.section).other.names,
+    };
+    names.get(site.index as usize)
+}
+
 /// The sections that take part in the program, in order.
 #[salsa::tracked]
 pub fn parts(db: &dyn Db, project: Project) -> Parts<'_> {
     semantics::program::parts(db, project)
 }
 
+/// What a section of an included file is to the program, and the program file it belongs to.
+#[salsa::tracked(returns(copy))]
+pub fn inclusion<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Option<(SectionKind, u8)> {
+    let part = parts(db, project).parts.iter().find(|part| part.section == section)?;
+    Some((part.kind, part.file))
+}
+
 /// A section's declarations with the lengths and constants that need other sections filled in: what the layout
 /// of memory reads.
 #[salsa::tracked]
 pub fn resolved_declarations<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Declarations {
-    semantics::program::resolved(db, project, section)
+    semantics::program::resolved(db, project, section, section_declarations(db, section).clone())
 }
 
 /// Names of the project.
@@ -237,14 +378,13 @@ pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<
 /// Where everything lies in memory.
 #[salsa::tracked]
 pub fn layout(db: &dyn Db, project: Project) -> Layout {
-    let parts = &parts(db, project).parts;
-    let blocks: Vec<DataBlock<'_>> = parts
-        .iter()
-        .map(|part| DataBlock {
-            kind: part.kind,
-            name: part.section.name(db),
-            file: part.file,
-            declarations: resolved_declarations(db, project, part.section),
+    let blocks: Vec<DataBlock<'_>> = semantics::program::blocks(db, project)
+        .into_iter()
+        .map(|block| DataBlock {
+            kind: block.kind,
+            name: block.part.section.name(db),
+            file: block.part.file,
+            declarations: block.declarations,
         })
         .collect();
     Layout::compute(&blocks)

@@ -137,6 +137,160 @@ fn a_changed_declaration_runs_those_who_use_it() {
     assert_eq!(ran.get("section_analysis"), Some(&3), "DATA, FIRST and SECOND: {ran:?}");
 }
 
+/// A program with macros in a definition file and in the main file; both mechanisms call them.
+const WITH_MACROS: &str = "\
+T_INCLUDE copy.inc
+DEF_T_MACRO KEEP FROM
+T_LOCAL KEPT
+DATA_LOCAL
+KEPT: DS 1
+DATA_LOCAL_END
+LDR TMAC.FROM
+STO1 KEPT
+END_T_MACRO T_END
+DATA
+KEYS:  DFM START,HALT_KEY,DOOR
+LAMPS: DFM RED,GREEN,BLUE
+DATA_END
+MODULE_INPUT
+MODULE_INPUT_END
+MODULE_BLOCK_INIT
+MODULE_BLOCK_INIT_END
+MODULE_BLOCK_DONE
+MODULE_BLOCK_DONE_END
+MODULE_MAIN
+LDR START
+FL1 1,FIRST
+MECH_BEGIN FIRST
+KEEP DOOR
+COPY START,RED
+EX
+MECH_END FIRST
+MECH_BEGIN SECOND
+KEEP DOOR
+COPY START,GREEN
+EX
+MECH_END SECOND
+MECH_BEGIN THIRD
+FL 1,BLUE
+EX
+MECH_END THIRD
+MODULE_MAIN_END
+MODULE_INIT
+MODULE_INIT_END
+MODULE_CLEAR
+MODULE_CLEAR_END
+MODULE_HALT
+MODULE_HALT_END
+STOP
+";
+
+const COPY: &str = "DEF_T_MACRO COPY FROM,TO\nLDR TMAC.FROM\nWR TMAC.TO\nEND_T_MACRO T_END\n";
+
+/// Queries that ran in an edit of a file of that program.
+fn executed_with_macros(edited: &str, from: &str, to: &str) -> BTreeMap<String, usize> {
+    executed_in(WITH_MACROS, edited, from, to)
+}
+
+fn executed_in(program: &str, edited: &str, from: &str, to: &str) -> BTreeMap<String, usize> {
+    let files = [("t.plc", program), ("copy.inc", COPY)];
+    let before = files.iter().find(|(path, _)| *path == edited).expect("a file of it").1;
+    let after = before.replacen(from, to, 1);
+    assert_ne!(before, after);
+    let log = Arc::new(Mutex::new(Vec::new()));
+    let sink = log.clone();
+    let db = Database::with_events(Box::new(move |event| {
+        if let salsa::EventKind::WillExecute { database_key } = event.kind {
+            sink.lock().expect("one thread").push(format!("{database_key:?}"));
+        }
+    }));
+    let mut host = AnalysisHost::with_database(db);
+    let memory = Memory(files.iter().map(|(p, t)| ((*p).to_string(), (*t).to_string())).collect());
+    host.apply(Change { project: Some(load("t.plc", &memory)), texts: Vec::new() });
+    assert_eq!(host.analysis().all_diagnostics().expect("nothing cancels it"), []);
+    log.lock().expect("one thread").clear();
+    host.apply(Change { project: None, texts: vec![(edited.to_string(), Arc::from(after.as_str()))] });
+    host.analysis().all_diagnostics().expect("nothing cancels it");
+    let mut counts = BTreeMap::new();
+    for name in log.lock().expect("one thread").iter() {
+        *counts.entry(name.split('(').next().unwrap_or_default().to_string()).or_default() += 1;
+    }
+    counts
+}
+
+#[test]
+fn typing_in_one_mechanism_runs_nothing_of_another_also_with_macros() {
+    let own = [
+        ("sections", 1),
+        ("section_lines", 1),
+        ("section_outline", 1),
+        ("section_declarations", 1),
+        ("section_analysis", 1),
+        ("file_diagnostics", 1),
+    ];
+    // A mechanism without calls looks for calls; one with calls is expanded again.
+    let mut expected = own.to_vec();
+    expected.push(("expansion", 1));
+    assert_eq!(executed_with_macros("t.plc", "FL 1,BLUE\n", "FL 1,BLUE,RED\n"), counts(&expected));
+    expected.push(("expansion_declarations", 1));
+    assert_eq!(
+        executed_with_macros("t.plc", "KEEP DOOR\nCOPY START,RED\n", "KEEP DOOR\nCOPY START,BLUE\n"),
+        counts(&expected)
+    );
+}
+
+#[test]
+fn typing_in_one_mechanism_runs_nothing_of_another_also_when_instructions_may_be_macros() {
+    let before = format!("CONTROL_T_MACRO PRE\n{WITH_MACROS}");
+    let expected = [
+        ("sections", 1),
+        ("section_lines", 1),
+        ("section_outline", 1),
+        ("section_declarations", 1),
+        ("section_analysis", 1),
+        ("file_diagnostics", 1),
+        ("expansion", 1),
+        ("expansion_declarations", 1),
+    ];
+    let ran = executed_in(&before, "t.plc", "COPY START,RED\n", "COPY START,BLUE\n");
+    assert_eq!(ran, counts(&expected));
+}
+
+#[test]
+fn lines_added_above_run_nothing_but_the_outer_edge_also_with_macros() {
+    let ran = executed_with_macros("t.plc", "MODULE_INPUT\n", "; a comment\nMODULE_INPUT\n");
+    assert_eq!(ran.get("section_analysis"), Some(&1), "the lines between modules: {ran:?}");
+    assert_eq!(ran.get("scope"), None, "{ran:?}");
+    assert_eq!(ran.get("macro_meaning"), None, "{ran:?}");
+    let ran = executed_with_macros("t.plc", "EX\nMECH_END FIRST", "EX\n; a comment\nMECH_END FIRST");
+    assert_eq!(ran.get("section_analysis"), Some(&1), "{ran:?}");
+    assert_eq!(ran.get("expansion"), Some(&1), "{ran:?}");
+}
+
+#[test]
+fn an_edited_body_runs_only_the_sections_that_use_it() {
+    let ran = executed_with_macros("copy.inc", "WR TMAC.TO\n", "WR TMAC.TO,RED\n");
+    assert_eq!(ran.get("expansion"), Some(&2), "FIRST and SECOND: {ran:?}");
+    assert_eq!(ran.get("section_analysis"), Some(&3), "both and the definition: {ran:?}");
+    assert_eq!(ran.get("macro_table"), None, "{ran:?}");
+    assert_eq!(ran.get("scope"), None, "{ran:?}");
+    let ran = executed_with_macros("copy.inc", "WR TMAC.TO\n", "WR TMAC.TO ;a comment\n");
+    assert_eq!(ran.get("expansion"), None, "{ran:?}");
+    assert_eq!(ran.get("section_analysis"), Some(&1), "the definition: {ran:?}");
+}
+
+#[test]
+fn a_new_macro_runs_only_the_lookups_and_its_own_section() {
+    let ran = executed_with_macros(
+        "t.plc",
+        "T_INCLUDE copy.inc\n",
+        "T_INCLUDE copy.inc\nDEF_T_MACRO NONE\nNOP\nEND_T_MACRO\n",
+    );
+    assert_eq!(ran.get("macro_table"), Some(&1), "{ran:?}");
+    assert_eq!(ran.get("expansion"), Some(&1), "its own section, which has no calls: {ran:?}");
+    assert_eq!(ran.get("section_analysis"), Some(&2), "the definition and the lines around it: {ran:?}");
+}
+
 type Found = Vec<(String, Vec<Diagnostic>)>;
 
 fn from_scratch(text: &str) -> Found {
@@ -196,6 +350,21 @@ const LINES: &[&str] = &[
     "nonsense here",
     "LOD 'open",
     "DFTM1 AGAIN",
+    "DEF_T_MACRO FLASH A,B",
+    "DEF_T_MACRO LDR A",
+    "T_LOCAL NEXT,CELL",
+    "LDR TMAC.A",
+    "FL1 1,TMAC.B.RED",
+    "FLASH RED,GREEN",
+    "FLASH COUNT",
+    "DOUBLE RED,(COUNT+1)",
+    "END_T_MACRO",
+    "END_T_MACRO T_PUSH,C_1,D_ON",
+    "APPEND_T_MACRO DOUBLE,FLASH,T_END",
+    "CONTROL_T_MACRO PRE",
+    "CONTROL_T_MACRO POS",
+    "CELL: DS 1",
+    "NEXT:",
     "; comment",
     "",
 ];
@@ -227,6 +396,14 @@ proptest! {
 }
 
 const WORDS: &[&str] = &[
+    "DEF_T_MACRO",
+    "END_T_MACRO",
+    "APPEND_T_MACRO",
+    "CONTROL_T_MACRO",
+    "T_LOCAL",
+    "TMAC",
+    "T_PUSH",
+    "PRE",
     "LDR",
     "LA",
     "WR",

@@ -181,6 +181,27 @@ fn constants_and_memory_of_includes_are_known() {
 }
 
 #[test]
+fn includes_are_searched_from_the_folder_of_the_program_file_first_and_in_any_case() {
+    let memory = Memory::default()
+        .with("p/technol.toml", manifest("\"sub/b.plc\""))
+        .with("p/main.plc", format!("T_INCLUDE numbers.inc\n{}", main_with("", "LOD CNST.TOP\nSTO SPEED\n")))
+        .with("p/NUMBERS.INC", "EQUI TOP,1\n")
+        .with(
+            "p/sub/b.plc",
+            format!(
+                "T_INCLUDE deep\\OWN.INC\nT_INCLUDE Numbers.Inc\n{}",
+                further_with("SPEED: DS 2\n", "LOD CNST.NEAR\nSTO SPEED\n")
+            ),
+        )
+        .with("p/sub/deep/own.inc", "T_INCLUDE near.inc\n")
+        .with("p/sub/near.inc", "EQUI NEAR,2\n");
+    assert_eq!(found(&memory, "p"), Vec::<String>::new());
+    let loaded = load("p", &memory);
+    let included: Vec<&str> = loaded.included.iter().map(|file| file.path.as_str()).collect();
+    assert_eq!(included, ["NUMBERS.INC", "sub/deep/own.inc", "sub/near.inc"]);
+}
+
+#[test]
 fn includes_that_lead_nowhere_or_in_a_circle_are_reported_where_they_stand() {
     let memory = Memory::default()
         .with(

@@ -12,6 +12,8 @@ use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::host::{Analysis, Cancellable};
 use crate::location::Span;
+use crate::semantics::macros::expand::Expansion;
+use crate::semantics::program;
 use crate::syntax::section::SectionKind;
 
 /// The code of a section. Made again only when the meaning of the section changes, not when it moves.
@@ -25,6 +27,16 @@ pub fn section_code<'db>(db: &'db dyn Db, project: Project, section: Section<'db
 #[salsa::tracked(returns(copy))]
 pub fn section_length<'db>(db: &'db dyn Db, section: Section<'db>) -> u32 {
     section.text(db).lines().count() as u32
+}
+
+/// Own lines of a section that call macros, each with whether it takes break-points.
+#[salsa::tracked]
+pub fn macro_call_lines<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Vec<(u32, bool)> {
+    database::expansion_of(db, project, section).map_or_else(Vec::new, Expansion::call_lines)
+}
+
+fn call_lines<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> &'db [(u32, bool)] {
+    if database::has_macros(db, project) { macro_call_lines(db, project, section) } else { &[] }
 }
 
 /// Whether sections of this kind become code.
@@ -44,19 +56,20 @@ fn collect(db: &dyn Db, project: Project) -> ProjectInput<'_> {
         index.insert(file, files.len() as u16);
         files.push(FileInput { path: file.path(db), order: file.order(db), text: file.text(db) });
     }
-    let parts = &database::parts(db, project).parts;
-    let sections = parts.iter().map(|part| {
-        let section = part.section;
+    let sections = program::blocks(db, project).into_iter().map(|block| {
+        let section = block.part.section;
+        let code = has_code(block.kind) && !block.expanded;
         SectionInput {
             file: index.get(&section.file(db)).copied().unwrap_or_default(),
-            owner: part.file,
-            kind: part.kind,
+            owner: block.part.file,
+            kind: block.kind,
             name: section.name(db),
             ordinal: section.ordinal(db),
             lines: section.lines(db),
             text: section.text(db),
-            declarations: database::resolved_declarations(db, project, section),
-            code: has_code(part.kind).then(|| section_code(db, project, section)),
+            declarations: block.declarations,
+            code: code.then(|| section_code(db, project, section)),
+            calls: if code { call_lines(db, project, section) } else { &[] },
         }
     });
     let settings = project.settings(db);

@@ -1,6 +1,6 @@
 //! The debug information: lines, symbols and mechanisms of a linked program.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use technol_image::DebugInfo;
 use technol_image::container::{content_hash, hash_bytes};
 use technol_image::debug_info::{Line, Mechanism, Scope, SourceFile, State, Symbol, SymbolKind};
@@ -54,12 +54,21 @@ pub fn system_symbol(symbol: &SystemSymbol) -> Option<Symbol> {
 
 fn lines(input: &ProjectInput<'_>, linked: &Linked) -> Vec<Line> {
     let regions: Vec<DebugRegions> = input.files.iter().map(|file| DebugRegions::of(file.text)).collect();
+    // Calls of macros without D_ON take no break-point (manual 22.4).
+    let refused: FxHashSet<(u16, u32)> = input
+        .sections
+        .iter()
+        .flat_map(|section| section.calls.iter().map(move |call| (section, call)))
+        .filter(|(_, (_, allowed))| !allowed)
+        .map(|(section, (own, _))| (section.file, section.file_line(*own)))
+        .collect();
     let lines = linked.lines.iter().map(|line| Line {
         pc: line.pc,
         file: line.file,
         line: line.line + 1,
         in_debug_region: input.debug_everywhere
-            || regions.get(usize::from(line.file)).is_some_and(|r| r.contains(line.line)),
+            || !refused.contains(&(line.file, line.line))
+                && regions.get(usize::from(line.file)).is_some_and(|r| r.contains(line.line)),
     });
     lines.collect()
 }

@@ -50,6 +50,8 @@ pub struct SectionInput<'a> {
     pub declarations: &'a Declarations,
     /// Their code; `None` for sections without code.
     pub code: Option<&'a SectionCode>,
+    /// Own lines that call macros, ascending, each with whether it takes break-points in a DEBUG region.
+    pub calls: &'a [(u32, bool)],
 }
 
 impl SectionInput<'_> {

@@ -39,7 +39,6 @@ pub fn lower(kind: SectionKind, own_lines: u32, body: &Body) -> SectionCode {
                 lowering.code.nested.push(nested);
                 lowering.code.ops.push(Op::Nop);
             }
-            StatementKind::Macro { name } => lowering.problem(ProblemKind::NotExecutable(name.to_string())),
             StatementKind::Empty => {}
         }
     }

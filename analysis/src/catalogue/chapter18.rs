@@ -4,9 +4,7 @@ use super::chapter27_words::SHARED_TYPES;
 use super::entry::{
     Access, ConfigElement, Effect, Entry, Equation, OperandKind, OperandSpec, Place, Prefix, PrefixSet,
 };
-use super::pattern::{
-    MULTI_CYCLE, UNMODELLED, UNMODELLED_DATA, example, form, operand, source, text,
-};
+use super::pattern::{MULTI_CYCLE, UNMODELLED, UNMODELLED_DATA, example, form, operand, source, text};
 
 /// Length of a shared area in bytes (manual 18.3).
 const AREA_LEN: i64 = 32_000;

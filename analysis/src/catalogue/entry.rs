@@ -155,6 +155,17 @@ pub enum OperandKind {
     Any,
 }
 
+impl Entry {
+    /// The memory its first operand declares.
+    #[must_use]
+    pub fn declares(&self) -> Option<NewCell> {
+        match self.operands.first()?.kind {
+            OperandKind::Declares(new) => Some(new),
+            _ => None,
+        }
+    }
+}
+
 /// What an identifier names in the configuration files of the project.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ConfigElement {

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 pub mod cell_type;
 pub mod entry;
+pub mod logical_elements;
 pub mod page;
 pub mod symbol;
 
@@ -50,7 +51,10 @@ pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
-pub use symbol::{Direction, SystemKind, SystemSymbol, symbol, symbols};
+pub use symbol::{
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+    unit_member, unit_members,
+};
 
 /// A language of the help.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -74,6 +78,12 @@ impl Bilingual {
 }
 
 impl Entry {
+    /// Whether it is an 80386 instruction.
+    #[must_use]
+    pub fn is_assembler(&self) -> bool {
+        self.chapter == assembler::CHAPTER
+    }
+
     /// Whether it is an 80386 instruction known by name only, so that it is not reported as unknown. Such names
     /// make poor suggestions, and a symbol may well be called `LOOP` or `TEST`.
     #[must_use]

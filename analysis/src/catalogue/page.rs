@@ -86,8 +86,12 @@ pub fn symbol_markdown(symbol: &SystemSymbol, language: Language) -> String {
             say("\n- Written by the control and by the program", "\n- Zapisuje systém i program")
         }
     };
+    let default = symbol
+        .default
+        .map(|value| format!("\n- {} {value}", say("At power-on", "Po zapnutí")))
+        .unwrap_or_default();
     format!(
-        "### {}\n\n{}\n\n- {kind}{direction}\n- {} {}\n",
+        "### {}\n\n{}\n\n- {kind}{direction}{default}\n- {} {}\n",
         symbol.spelling,
         symbol.summary.in_language(language),
         say("Manual chapter", "Kapitola příručky"),

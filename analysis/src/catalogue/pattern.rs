@@ -79,8 +79,6 @@ pub(super) const WAITING: Entry = Entry {
 pub(super) const UNMODELLED: Entry = Entry { executable: false, ..INSTRUCTION };
 /// The same in DATA.
 pub(super) const UNMODELLED_DATA: Entry = Entry { executable: false, ..DECLARATION };
-/// A directive that `build` refuses.
-pub(super) const UNMODELLED_DIRECTIVE: Entry = Entry { executable: false, ..DIRECTIVE };
 /// A module that `build` refuses.
 pub(super) const UNMODELLED_STRUCTURE: Entry = Entry { executable: false, ..STRUCTURE };
 /// An instruction of a sequence that takes several cycles.

@@ -9,14 +9,26 @@ use super::entry::{Bilingual, Prefix};
 use super::look_up;
 
 mod axes;
+mod block;
+mod cutting;
+mod defaults;
+mod drives;
+mod ethercat;
 mod interface;
 mod jog;
+mod manual;
 mod motion;
+mod panels;
 mod peripherals;
 mod ports;
+mod referencing;
+mod registers;
+mod serial;
 mod space;
 mod spindle;
 mod state;
+mod structures;
+mod tables;
 
 /// Who writes a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +103,8 @@ pub struct SystemSymbol {
     pub kind: SystemKind,
     /// Who writes it.
     pub direction: Direction,
+    /// Its value at power-on where the manual tells one; `None` otherwise (memory then starts as 0).
+    pub default: Option<i64>,
     /// What it means.
     pub summary: Bilingual,
     /// Manual chapter.
@@ -100,6 +114,15 @@ pub struct SystemSymbol {
 struct Table {
     symbols: Vec<SystemSymbol>,
     by_name: HashMap<&'static str, usize>,
+    /// First byte behind them.
+    len: Addr,
+}
+
+impl Table {
+    fn of(symbols: Vec<SystemSymbol>, len: Addr) -> Table {
+        let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
+        Table { symbols, by_name, len }
+    }
 }
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
@@ -113,8 +136,36 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     for rows in [motion::ROWS, spindle::ROWS, jog::ROWS, peripherals::ROWS, state::ROWS] {
         space.rows(rows, &mut symbols);
     }
-    let by_name = symbols.iter().enumerate().map(|(index, symbol)| (symbol.name, index)).collect();
-    Table { symbols, by_name }
+    for rows in [panels::ROWS, ethercat::ROWS, tables::ROWS, cutting::ROWS, serial::ROWS] {
+        space.rows(rows, &mut symbols);
+    }
+    registers::list(&mut symbols);
+    structures::list(&mut symbols);
+    for family in manual::FAMILIES {
+        space.axis_bits(family, &mut symbols);
+    }
+    for rows in [drives::ROWS, manual::ROWS, referencing::ROWS] {
+        space.rows(rows, &mut symbols);
+    }
+    for family in drives::FAMILIES.iter().chain(referencing::FAMILIES).chain([&state::LICENCES]) {
+        space.numbered(family, &mut symbols);
+    }
+    for symbol in &mut symbols {
+        symbol.default = symbol.default.or_else(|| defaults::of(symbol.name));
+    }
+    Table::of(symbols, space.end())
+});
+
+static BLOCK: LazyLock<Table> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    let len = block::list(&mut symbols);
+    Table::of(symbols, len)
+});
+
+static UNIT: LazyLock<Table> = LazyLock::new(|| {
+    let mut symbols = Vec::new();
+    let len = structures::list_unit(&mut symbols);
+    Table::of(symbols, len)
 });
 
 /// The predefined symbol `name`, in any case.
@@ -126,6 +177,36 @@ pub fn symbol(name: &str) -> Option<&'static SystemSymbol> {
 /// Every predefined symbol, in the order of the manual.
 pub fn symbols() -> impl Iterator<Item = &'static SystemSymbol> {
     TABLE.symbols.iter()
+}
+
+/// The member `name` of a prepared block, `BLK[n].name`, in any case. Members have names of their own, so that
+/// a program may call its cells `T` or `M1`; the address in their kind is the offset in the block's record.
+#[must_use]
+pub fn block_member(name: &str) -> Option<&'static SystemSymbol> {
+    look_up(&BLOCK.by_name, name).map(|&index| &BLOCK.symbols[index])
+}
+
+/// Every member of a prepared block, in the order of the manual.
+pub fn block_members() -> impl Iterator<Item = &'static SystemSymbol> {
+    BLOCK.symbols.iter()
+}
+
+/// Length of the record of a prepared block in bytes.
+#[must_use]
+pub fn block_record_len() -> u32 {
+    BLOCK.len
+}
+
+/// The member `name` of INOUTS, the state of a CAN-BUS unit, in any case: an operand of CAN_SYSIO_READ and
+/// CAN_SYSIO_WRITE. Members have names of their own, so that a program may call its cells `COUNT` or `ERROR`.
+#[must_use]
+pub fn unit_member(name: &str) -> Option<&'static SystemSymbol> {
+    look_up(&UNIT.by_name, name).map(|&index| &UNIT.symbols[index])
+}
+
+/// Every member of INOUTS, in the order of their offsets.
+pub fn unit_members() -> impl Iterator<Item = &'static SystemSymbol> {
+    UNIT.symbols.iter()
 }
 
 /// A text that a family of symbols generates; the table is built once and lives as long as the process.

@@ -1,16 +1,18 @@
 //! Collects what is wrong in a file and gives it absolute positions: the outer edge of the analysis.
 
-use super::rules::{declarations, operands, project as project_rules, sequences, syntax as syntax_rules};
+use super::rules::{
+    declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules,
+};
 use super::{Anchor, Diagnostic, Finding, Fix, syntax};
-use crate::database::{self, Db, Project, Section, Site, SourceFile};
+use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
 use crate::semantics::analysis::Overrun;
 use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::macros::{expand::Expansion, remap, without_marks};
 use crate::semantics::scope::Clash;
 use crate::semantics::structure;
 use crate::syntax::ast::Columns;
-use crate::syntax::section::SectionKind;
 
 /// All mistakes of a file, sorted.
 pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
@@ -37,18 +39,21 @@ fn of_section<'db>(
     let analysis = database::section_analysis(db, project, section);
     let declared = database::section_declarations(db, section);
     let own = || declared.findings.iter().chain(&analysis.findings);
-    if section.kind(db) != SectionKind::Macro {
-        let parsed = database::section_lines(db, section);
-        let mut texts = crate::syntax::lines(section.text(db)).enumerate();
-        for error in &parsed.errors {
-            let text =
-                texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
-            let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
-            let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
-            let unknown = own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
-            if !include && !unknown {
-                found.push((section, syntax::finding(error, text)));
-            }
+    if let Some(expansion) = database::expansion_of(db, project, section) {
+        let expanded = database::expansion_declarations(db, project, section);
+        let findings = expanded.local.findings.iter().chain(&expanded.other.findings);
+        found.extend(findings.map(|finding| (section, finding.clone())));
+        found.extend(in_expansion(db, expansion).into_iter().map(|finding| (section, finding)));
+    }
+    let parsed = database::section_lines(db, section);
+    let mut texts = crate::syntax::lines(section.text(db)).enumerate();
+    for error in &parsed.errors {
+        let text = texts.find(|(number, _)| *number as u32 == error.line).map_or("", |(_, line)| line.text);
+        let include = parsed.lines.get(error.line as usize).and_then(|line| line.operation.as_ref());
+        let include = include.is_some_and(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"));
+        let unknown = own().any(|f| f.line == error.line && f.rule == &syntax_rules::UNKNOWN_INSTRUCTION);
+        if !include && !unknown {
+            found.push((section, syntax::finding(error, text)));
         }
     }
     found.extend(own().map(|finding| (section, finding.clone())));
@@ -58,13 +63,34 @@ fn of_section<'db>(
     includes(db, project, section, found);
 }
 
+/// Mistakes of the parser that come of what a call hands to its macro; those of the bodies themselves are reported
+/// at the definitions.
+fn in_expansion(db: &dyn Db, expansion: &Expansion<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for error in &expansion.parsed.errors {
+        let origin = expansion.origins.get(error.line as usize);
+        let Some(body) = origin.and_then(|origin| origin.body.as_ref()) else { continue };
+        let Some(definition) = expansion.definitions.get(usize::from(body.definition)) else { continue };
+        let broken = &database::section_lines(db, *definition).errors;
+        if broken.binary_search_by_key(&body.line, |error| error.line).is_err() {
+            found.push(remap::finding(expansion, syntax::finding(error, &body.text)));
+        }
+    }
+    found
+}
+
 /// An access that ends outside its symbol: an error when it leaves the data area, a warning when it begins inside the
 /// symbol. One that begins outside was written with an offset: it is meant for a neighbour.
 fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Option<Finding> {
-    let name = &overrun.symbol.name;
+    let name = without_marks(&overrun.symbol.name);
     let outside = !database::inside_data(db, project, &overrun.symbol, overrun.offset, overrun.bytes);
     let finding = |rule, message: String| {
-        Some(Finding::new(rule, overrun.line, overrun.columns.clone(), message).declared_at(&overrun.symbol))
+        let mut finding =
+            Finding::new(rule, overrun.line, overrun.columns.clone(), message).declared_at(&overrun.symbol);
+        if let Some((line, columns)) = overrun.expanded.clone() {
+            finding.related.push((Anchor::Expanded { line, columns }, "this line of the macro".to_string()));
+        }
+        Some(finding)
     };
     if outside {
         let message = format!("this access to {name}{:+} leaves the data area", overrun.offset);
@@ -137,9 +163,12 @@ fn clashes<'db>(
             places.extend(sites.get(&global).into_iter().flatten());
         }
         for (index, site) in places.iter().enumerate().filter(|(_, site)| site.section.file(db) == file) {
-            let Some((name, line, columns)) = declared_at(db, *site) else { continue };
+            let Some((name, line, columns)) = declared_at(db, project, *site) else { continue };
             let others = places.iter().enumerate().filter(|(other, _)| *other != index);
             let (rule, message) = match clash {
+                Clash::Twice if key.scope == SymbolScope::Macro => {
+                    (&macros::MACRO_REDEFINED, format!("the macro {name} is defined more than once"))
+                }
                 Clash::Twice if places.len() == 1 => (
                     &declarations::DUPLICATE_NAME,
                     format!("{name} is declared by its mechanism already: each has a WORD name_LINE"),
@@ -160,7 +189,7 @@ fn clashes<'db>(
             };
             let mut finding = Finding::new(rule, line, columns, message);
             for (_, other) in others {
-                if let Some(location) = site_location(db, *other) {
+                if let Some(location) = site_location(db, project, *other) {
                     finding.related.push((Anchor::Place(location), "also declared here".to_string()));
                 }
             }
@@ -186,16 +215,36 @@ fn recursion<'db>(
     }
 }
 
-fn declared_at(db: &dyn Db, site: Site<'_>) -> Option<(String, u32, Columns)> {
-    let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
-    Some((declared.name.text.clone(), declared.line, declared.columns()))
+/// Name, own line and columns of a declaration; one that a macro makes stands at the call.
+fn declared_at(db: &dyn Db, project: Project, site: Site<'_>) -> Option<(String, u32, Columns)> {
+    let declared = database::declared(db, project, site)?;
+    let columns = match expanded(db, project, site) {
+        Some((expansion, line)) => expansion.shown(line, &declared.name.columns),
+        None => declared.columns(),
+    };
+    Some((without_marks(&declared.name.text), declared.line, columns))
 }
 
-/// Where a name is declared.
-pub(crate) fn site_location(db: &dyn Db, site: Site<'_>) -> Option<Location> {
-    let (_, line, columns) = declared_at(db, site)?;
-    let file = site.section.file(db).path(db).clone();
-    Some(Location { file, span: span(db, site.section, line, &columns) })
+/// The expansion a declaration stands in, and its line there.
+fn expanded<'db>(db: &'db dyn Db, project: Project, site: Site<'db>) -> Option<(&'db Expansion<'db>, u32)> {
+    let lines = match site.of {
+        SiteOf::Own => return None,
+        SiteOf::Local => &database::expansion_declarations(db, project, site.section).local_lines,
+        SiteOf::Other => &database::expansion_declarations(db, project, site.section).other_lines,
+    };
+    let expansion = database::expansion_of(db, project, site.section)?;
+    Some((expansion, *lines.get(site.index as usize)?))
+}
+
+/// Where a name is declared; in the definition when a macro declares it.
+pub(crate) fn site_location(db: &dyn Db, project: Project, site: Site<'_>) -> Option<Location> {
+    let declared = database::declared(db, project, site)?;
+    let (section, line, columns) = match expanded(db, project, site) {
+        Some((expansion, line)) => expansion.defined(db, line, &declared.name.columns)?,
+        None => (site.section, declared.line, declared.columns()),
+    };
+    let file = section.file(db).path(db).clone();
+    Some(Location { file, span: span(db, section, line, &columns) })
 }
 
 fn span(db: &dyn Db, section: Section<'_>, line: u32, columns: &Columns) -> Span {
@@ -218,9 +267,19 @@ fn absolute(db: &dyn Db, project: Project, section: Section<'_>, finding: &Findi
                 let file = section.file(db).path(db).clone();
                 related.push((Location { file, span: place(*line, columns) }, note.clone()));
             }
+            Anchor::Expanded { line, columns } => {
+                let expansion = database::expansion_of(db, project, section);
+                if let Some((definition, line, columns)) =
+                    expansion.and_then(|it| it.defined(db, *line, columns))
+                {
+                    let file = definition.file(db).path(db).clone();
+                    related
+                        .push((Location { file, span: span(db, definition, line, &columns) }, note.clone()));
+                }
+            }
             Anchor::Symbol(key) => {
                 let sites = database::sites(db, project).get(key);
-                let location = sites.and_then(|sites| site_location(db, *sites.first()?));
+                let location = sites.and_then(|sites| site_location(db, project, *sites.first()?));
                 related.extend(location.map(|location| (location, note.clone())));
             }
             Anchor::Place(location) => related.push((location.clone(), note.clone())),

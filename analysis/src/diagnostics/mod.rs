@@ -142,6 +142,13 @@ pub enum Anchor {
         /// Columns in it.
         columns: Columns,
     },
+    /// In a macro that the section calls.
+    Expanded {
+        /// 0-based line of the section's expansion.
+        line: u32,
+        /// Columns in it.
+        columns: Columns,
+    },
     /// Where a symbol is declared.
     Symbol(SymbolKey),
     /// An absolute place; only findings made at the outer edge have one.

@@ -58,6 +58,8 @@ pub enum CompletionKind {
     Macro,
     /// A label in code.
     Label,
+    /// A parameter or T_LOCAL symbol in the body of a macro.
+    Parameter,
 }
 
 /// Longest answer. One of this length may lack words: ask again when another letter is typed.

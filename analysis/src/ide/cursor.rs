@@ -46,6 +46,8 @@ pub(super) enum Meaning {
     Symbol(SymbolKey),
     /// A label of the section.
     Label(Arc<str>),
+    /// A parameter or T_LOCAL symbol of the macro around it.
+    Formal(Arc<str>),
     /// An included file, by its project path.
     File(String),
 }
@@ -87,7 +89,8 @@ impl<'db> Cursor<'db> {
         match word {
             Word::Include(include) => self.included(include),
             Word::Label(name) => self.named(name),
-            Word::Operation(name) => operation(name).or_else(|| self.named(name)),
+            // A macro may stand for an instruction.
+            Word::Operation(name) => self.named(name).or_else(|| operation(name)),
             Word::Operand(name) => {
                 self.named(name).or_else(|| operand_word(name)).or_else(|| self.looked_up(name))
             }
@@ -113,6 +116,7 @@ impl<'db> Cursor<'db> {
             return Some(match &reference.referent {
                 Referent::Symbol(key) => Meaning::Symbol(key.clone()),
                 Referent::Label(key) => Meaning::Label(key.clone()),
+                Referent::Formal(key) => Meaning::Formal(key.clone()),
             });
         }
         let declarations = database::section_declarations(self.db, self.section);
@@ -122,6 +126,12 @@ impl<'db> Cursor<'db> {
         let declared = declarations.names.iter().find(declares)?;
         if declared.what == What::Label {
             return Some(Meaning::Label(Arc::from(name.key())));
+        }
+        if matches!(declared.what, What::Macro | What::MacroWord) {
+            return Some(Meaning::Symbol(SymbolKey {
+                scope: SymbolScope::Macro,
+                name: Arc::from(name.key()),
+            }));
         }
         self.symbol(name).map(|symbol| Meaning::Symbol(symbol.key.clone()))
     }
@@ -238,6 +248,7 @@ pub(super) fn line_of<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -
 pub(super) fn symbol<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) -> Option<&'db Symbol> {
     let file = match key.scope {
         SymbolScope::File(file) => Some(file),
+        SymbolScope::Macro => return database::scope(db, project).macros.get(&key.name),
         SymbolScope::Global | SymbolScope::System => None,
     };
     database::lookup(db, project, NameRef::new(db, key.name.clone(), file)).as_ref()
@@ -245,19 +256,17 @@ pub(super) fn symbol<'db>(db: &'db dyn Db, project: Project, key: &SymbolKey) ->
 
 /// A symbol's name as its declaration spells it.
 pub(super) fn spelling(db: &dyn Db, project: Project, key: &SymbolKey) -> String {
-    if let Some(name) = database::sites(db, project).get(key).and_then(|sites| declared(db, sites)) {
+    if let Some(name) = database::sites(db, project).get(key).and_then(|sites| declared(db, project, sites)) {
         return name.to_owned();
     }
     let mechanism = line_of(db, project, key).map(|mechanism| sites(db, project, mechanism));
-    match mechanism.and_then(|sites| declared(db, sites)) {
+    match mechanism.and_then(|sites| declared(db, project, sites)) {
         Some(name) => format!("{name}_LINE"),
         None => key.name.to_string(),
     }
 }
 
 /// The name as the first of its declarations spells it.
-fn declared<'db>(db: &'db dyn Db, sites: &[database::Site<'db>]) -> Option<&'db str> {
-    let site = sites.first()?;
-    let names = &database::section_declarations(db, site.section).names;
-    names.get(site.index as usize).map(|declared| declared.name.text.as_str())
+fn declared<'db>(db: &'db dyn Db, project: Project, sites: &[database::Site<'db>]) -> Option<&'db str> {
+    database::declared(db, project, *sites.first()?).map(|declared| declared.name.text.as_str())
 }

@@ -4,7 +4,8 @@ use super::cursor::{self, Cursor, Meaning};
 use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::location::{Location, Position, Span};
 use crate::semantics::declarations::What;
-use crate::semantics::hir::SymbolKey;
+use crate::semantics::hir::{SymbolKey, SymbolScope};
+use crate::semantics::reference::{ReferenceAccess, Referent};
 
 /// Declarations of what stands at a position: of a symbol (of its mechanism, for `name_LINE`), of a label, or the
 /// beginning of an included file. Empty for the words of the language and for predefined symbols.
@@ -14,6 +15,7 @@ pub fn definition(db: &dyn Db, project: Project, file: SourceFile, at: Position)
     match cursor.word().and_then(|word| cursor.meaning(word)) {
         Some(Meaning::Symbol(key)) => symbol(db, project, &key),
         Some(Meaning::Label(key)) => label(db, cursor.section, &key),
+        Some(Meaning::Formal(key)) => formal(db, project, cursor.section, &key),
         Some(Meaning::File(path)) => vec![Location { file: path, span: Span::default() }],
         Some(Meaning::Entry(_)) | None => Vec::new(),
     }
@@ -22,12 +24,35 @@ pub fn definition(db: &dyn Db, project: Project, file: SourceFile, at: Position)
 /// Where a symbol is declared.
 pub(super) fn symbol(db: &dyn Db, project: Project, key: &SymbolKey) -> Vec<Location> {
     let sites = cursor::sites(db, project, key).iter();
-    sites
-        .filter_map(|site| {
-            let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
-            cursor::location(db, site.section, declared.line, &declared.name.columns)
-        })
-        .collect()
+    let mut found: Vec<Location> = Vec::new();
+    for location in sites.filter_map(|site| crate::diagnostics::file::site_location(db, project, *site)) {
+        // Each call of a macro declares its symbols at the same line.
+        if !found.contains(&location) {
+            found.push(location);
+        }
+    }
+    if key.scope == SymbolScope::Macro {
+        // A word of APPEND_T_MACRO leads to its macro as well.
+        let table = database::macro_table(db, project);
+        for section in table.definitions(&key.name) {
+            let header = database::macro_definition(db, section).name.as_ref();
+            let place = header.and_then(|name| cursor::location(db, section, 0, &name.columns));
+            if let Some(place) = place.filter(|place| !found.contains(place)) {
+                found.insert(0, place);
+            }
+        }
+    }
+    found
+}
+
+/// Where a parameter or T_LOCAL symbol of a macro is declared: in the header or T_LOCAL, and for data in the body.
+pub(super) fn formal(db: &dyn Db, project: Project, section: Section<'_>, key: &str) -> Vec<Location> {
+    let references = &database::section_analysis(db, project, section).references;
+    let declared = references.iter().filter(|r| {
+        r.access == ReferenceAccess::Declare && matches!(&r.referent, Referent::Formal(own) if **own == *key)
+    });
+    let first = declared.min_by_key(|r| (r.line, r.columns.start));
+    first.and_then(|r| cursor::location(db, section, r.line, &r.columns)).into_iter().collect()
 }
 
 /// Where a label of a section stands.

@@ -37,6 +37,7 @@ pub fn hover(
         Meaning::Entry(entry) => page::markdown(entry, language),
         Meaning::Symbol(key) => symbol(db, project, &key, language)?,
         Meaning::Label(key) => label(&cursor, &key, language)?,
+        Meaning::Formal(key) => formal(&cursor, &key, language)?,
         Meaning::File(path) => format!("`{path}`\n"),
     };
     Some(Hover { markdown, span: cursor.span(word.columns()) })
@@ -46,6 +47,9 @@ pub fn hover(
 pub(super) fn symbol(db: &dyn Db, project: Project, key: &SymbolKey, language: Language) -> Option<String> {
     if key.scope == SymbolScope::System {
         return Some(page::symbol_markdown(catalogue::symbol(&key.name)?, language));
+    }
+    if key.scope == SymbolScope::Macro {
+        return macros(db, project, key, language);
     }
     let known = cursor::symbol(db, project, key)?;
     let mut markdown = String::new();
@@ -69,6 +73,67 @@ pub(super) fn symbol(db: &dyn Db, project: Project, key: &SymbolKey, language: L
         let _ = write!(markdown, "\n---\n\n{}", page::markdown(entry, language));
     }
     Some(markdown)
+}
+
+/// Help on a macro: its header, its flags, the comment before it.
+fn macros(db: &dyn Db, project: Project, key: &SymbolKey, language: Language) -> Option<String> {
+    let table = database::macro_table(db, project);
+    let section = *table.definitions(&key.name).first()?;
+    let header = source_line(db, section, 0)?;
+    let file = section.file(db);
+    let line = *section.lines(db).first()?;
+    let (kind, on, off) = match language {
+        Language::En => ("user instruction", "takes break-points", "takes no break-points"),
+        Language::Cs => ("uživatelská instrukce", "lze na ni dát breakpoint", "nelze na ni dát breakpoint"),
+    };
+    let flags = database::macro_definition(db, section).flags;
+    let stop = if flags.break_points { on } else { off };
+    let mut markdown = format!(
+        "```technol\n{}\n```\n{kind} · {} · {stop} · `{}`:{}\n",
+        header.code,
+        flags.stack.word(),
+        file.path(db),
+        line + 1
+    );
+    let mut comments = comments_before(file.text(db), line);
+    if !header.comment.is_empty() {
+        comments.push(header.comment);
+    }
+    if !comments.is_empty() {
+        let _ = write!(markdown, "\n{}\n", comments.join("\n"));
+    }
+    Some(markdown)
+}
+
+/// The comment lines directly above a line, without their semicolons.
+fn comments_before(text: &str, line: u32) -> Vec<String> {
+    let above: Vec<&str> = syntax::lines(text).take(line as usize).map(|line| line.text.trim()).collect();
+    let mut comments: Vec<String> = above
+        .iter()
+        .rev()
+        .map_while(|line| line.strip_prefix(';'))
+        .map(|comment| comment.trim_matches([';', '-', '=', '*', ' ', '\t']).to_owned())
+        .filter(|comment| !comment.is_empty())
+        .collect();
+    comments.reverse();
+    comments
+}
+
+/// Help on a parameter or T_LOCAL symbol: the line that declares it.
+fn formal(cursor: &Cursor<'_>, key: &str, language: Language) -> Option<String> {
+    let place =
+        super::definition::formal(cursor.db, cursor.project, cursor.section, key).into_iter().next()?;
+    let own = cursor.section.lines(cursor.db).binary_search(&place.span.start.line).ok()?;
+    let line = source_line(cursor.db, cursor.section, own as u32)?;
+    let definition = database::macro_definition(cursor.db, cursor.section);
+    let parameter = definition.parameters.iter().any(|name| name.key() == *key);
+    let kind = match (parameter, language) {
+        (true, Language::En) => "parameter of the macro",
+        (true, Language::Cs) => "parametr makra",
+        (false, Language::En) => "symbol of the macro, of its own for each call",
+        (false, Language::Cs) => "symbol makra, pro každé volání vlastní",
+    };
+    Some(format!("```technol\n{}\n```\n{kind}\n", line.code))
 }
 
 fn label(cursor: &Cursor<'_>, key: &str, language: Language) -> Option<String> {
@@ -99,14 +164,16 @@ struct Declaration {
 
 fn declaration(db: &dyn Db, project: Project, key: &SymbolKey) -> Option<Declaration> {
     let site = cursor::sites(db, project, key).first()?;
-    let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
-    let source = source_line(db, site.section, declared.line)?;
-    Some(Declaration {
-        code: source.code,
-        comment: source.comment,
-        file: site.section.file(db).path(db).clone(),
-        line: *site.section.lines(db).get(declared.line as usize)?,
-    })
+    let place = crate::diagnostics::file::site_location(db, project, *site)?;
+    let line = place.span.start.line;
+    let mut files = super::references::files(db, project);
+    let file = files.find(|file| *file.path(db) == place.file)?;
+    let owner = |section: &Section<'_>| {
+        let own = section.lines(db).binary_search(&line).ok()?;
+        source_line(db, *section, own as u32)
+    };
+    let source = database::sections(db, file).iter().find_map(owner)?;
+    Some(Declaration { code: source.code, comment: source.comment, file: place.file, line })
 }
 
 struct CodeAndComment {

@@ -13,6 +13,8 @@ mod cursor;
 mod describe;
 #[cfg(test)]
 mod fixture;
+#[cfg(test)]
+mod macros;
 mod questions;
 mod symbol_tag;
 

@@ -40,6 +40,9 @@ pub fn references(
             uses(db, project, here.section, &Referent::Label(key.clone()), &mut found);
             declare(definition::label(db, here.section, &key), &mut found);
         }
+        Some(Meaning::Formal(key)) => {
+            uses(db, project, here.section, &Referent::Formal(key), &mut found);
+        }
         Some(Meaning::File(_) | Meaning::Entry(_)) | None => {}
     }
     found.retain(|_, access| include_declaration || *access != ReferenceAccess::Declare);

@@ -32,11 +32,11 @@ impl SymbolTag {
     pub(super) fn of(what: &What) -> Option<SymbolTag> {
         match what {
             What::Bit { .. } => Some(SymbolTag::Bit),
-            What::Cell { .. } | What::Unknown => Some(SymbolTag::Cell),
+            What::Cell { .. } | What::Typed { .. } | What::Unknown => Some(SymbolTag::Cell),
             What::Area { .. } => Some(SymbolTag::Area),
             What::Text { .. } => Some(SymbolTag::Text),
             What::Constant(_) => Some(SymbolTag::Constant),
-            What::Macro => Some(SymbolTag::Macro),
+            What::Macro | What::MacroWord => Some(SymbolTag::Macro),
             What::Mechanism => Some(SymbolTag::Mechanism),
             What::Procedure => Some(SymbolTag::Procedure),
             What::Label => None,

@@ -232,17 +232,27 @@ impl Loader<'_> {
                     None,
                 );
             }
-            if self.project.included.iter().any(|file| file.path == path) {
-                return (IncludeTarget::File(path), None);
+            // The control's file names know no case.
+            let known = |file: &&LoadedFile| file.path.eq_ignore_ascii_case(&path);
+            if let Some(file) = self.project.included.iter().find(known) {
+                return (IncludeTarget::File(file.path.clone()), None);
             }
-            match self.read(&path) {
-                Ok((text, encoding)) => {
+            let (dir, own) = path.rfind('/').map_or(("", path.as_str()), |at| path.split_at(at + 1));
+            let mut spellings = vec![path.clone()];
+            for other in [own.to_ascii_uppercase(), own.to_ascii_lowercase()] {
+                let other = format!("{dir}{other}");
+                if !spellings.contains(&other) {
+                    spellings.push(other);
+                }
+            }
+            for path in spellings {
+                if let Ok((text, encoding)) = self.read(&path) {
                     let file = LoadedFile { path: path.clone(), text: text.clone(), encoding, order: None };
                     self.project.included.push(file);
                     return (IncludeTarget::File(path.clone()), Some((path, text)));
                 }
-                Err(_) => tried.push(path),
             }
+            tried.push(path);
         }
         (IncludeTarget::Missing(format!("{name} is not found; looked for {}", tried.join(", "))), None)
     }
@@ -263,10 +273,18 @@ impl Loader<'_> {
             };
             return Ok(vec![under(slashes(&system.text).trim_end_matches('/'))]);
         }
+        // The PLC source is the program file that is being read, also within the files it includes.
+        let source = self.open.first().map_or("", |file| folder(file));
         let main = slashes(&manifest.main.text);
-        let mut places = vec![under(folder(&main))];
-        places
-            .extend(manifest.include_dirs.iter().map(|dir| under(slashes(&dir.text).trim_end_matches('/'))));
+        let dirs =
+            manifest.include_dirs.iter().map(|dir| slashes(&dir.text).trim_end_matches('/').to_string());
+        let mut places: Vec<String> = Vec::new();
+        for dir in [source.to_string(), folder(&main).to_string()].into_iter().chain(dirs) {
+            let place = under(&dir);
+            if !places.contains(&place) {
+                places.push(place);
+            }
+        }
         Ok(places)
     }
 }

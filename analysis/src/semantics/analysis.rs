@@ -1,6 +1,7 @@
 //! What the analysis of one section gives.
 
 use super::hir::{Body, SymbolKey};
+pub use super::identifiers::{IdentifierText, IdentifierUse};
 use super::reference::Reference;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::Columns;
@@ -16,6 +17,8 @@ pub struct SectionAnalysis {
     pub references: Vec<Reference>,
     /// Accesses that end outside the declared memory of their symbol.
     pub overruns: Vec<Overrun>,
+    /// Identifiers of the configuration in it, in order of the text.
+    pub identifiers: Vec<IdentifierUse>,
     /// Procedures it calls, with the place of the call.
     pub calls: Vec<(SymbolKey, u32, Columns)>,
 }
@@ -35,4 +38,6 @@ pub struct Overrun {
     pub bytes: u32,
     /// Length declared for the symbol in bytes.
     pub declared: u32,
+    /// Line and columns in the expansion of the section, when it stands in one.
+    pub expanded: Option<(u32, Columns)>,
 }

@@ -7,6 +7,8 @@ use std::sync::Arc;
 use super::analysis::{Overrun, SectionAnalysis};
 use super::equations::Equations;
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
+use super::macros;
+use super::macros::expand::{Call, Expansion};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
 use super::{flow, moves, operands, place, suggest};
@@ -14,17 +16,27 @@ use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
 use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
 use crate::diagnostics::{Finding, Rule, Severity};
-use crate::syntax::ast::{Columns, Line, Name};
+use crate::syntax::ParsedLines;
+use crate::syntax::ast::{Columns, ExprKind, Line, Name};
 use crate::syntax::section::SectionKind;
 
 /// Analyses a section.
 pub(crate) fn analyse(db: &dyn Db, project: Project, section: Section<'_>) -> SectionAnalysis {
     let included = section.file(db).order(db).is_none();
     let kind = section.kind(db);
+    if kind == SectionKind::Macro {
+        return macros::body::check(db, project, section);
+    }
+    let expansion = database::expansion_of(db, project, section);
+    let parsed = expansion.map_or_else(|| database::section_lines(db, section), |it| &it.parsed);
     let mut reader = CodeReader {
         db,
         project,
         section,
+        parsed,
+        expansion,
+        calls: expansion.map_or(&[][..], |it| it.calls.as_slice()).iter().peekable(),
+        open_calls: Vec::new(),
         place: place::Context::of(db, project, section, included),
         line: 0,
         clean: true,
@@ -37,13 +49,10 @@ pub(crate) fn analyse(db: &dyn Db, project: Project, section: Section<'_>) -> Se
         equations: Equations::default(),
         loaded: moves::Loaded::default(),
         unreadable: false,
+        too_large: false,
         misplaced: false,
-        end: if section.closed(db) { section.lines_len(db).saturating_sub(1) } else { u32::MAX },
+        end: if section.closed(db) { (parsed.lines.len() as u32).saturating_sub(1) } else { u32::MAX },
     };
-    if kind == SectionKind::Macro {
-        // Its body is text until it is expanded.
-        return reader.out;
-    }
     reader.read();
     reader.finish()
 }
@@ -54,7 +63,14 @@ pub(super) struct CodeReader<'db> {
     pub(super) project: Project,
     pub(super) section: Section<'db>,
     pub(super) place: place::Context,
-    /// Current own line.
+    /// The lines it walks: its own, with expansions of the macros it calls.
+    pub(super) parsed: &'db ParsedLines,
+    pub(super) expansion: Option<&'db Expansion<'db>>,
+    /// Calls that are still to come.
+    pub(super) calls: std::iter::Peekable<std::slice::Iter<'db, Call<'db>>>,
+    /// Calls whose expansion the current line belongs to, outermost first, with the equations before them.
+    pub(super) open_calls: Vec<(&'db Call<'db>, Equations)>,
+    /// Current line; own lines and expansions count alike until [`macros::remap`] makes own lines of them.
     pub(super) line: u32,
     /// Nothing was reported on the current line.
     pub(super) clean: bool,
@@ -63,32 +79,61 @@ pub(super) struct CodeReader<'db> {
     labels: BTreeMap<Arc<str>, (u32, Columns)>,
     /// Labels that wait for their statement.
     waiting: Vec<Arc<str>>,
-    equations: Equations,
+    pub(super) equations: Equations,
     loaded: moves::Loaded,
     /// A line could not be read: what flows through the section is a guess.
-    unreadable: bool,
+    pub(super) unreadable: bool,
+    /// A call was reported as too large.
+    pub(super) too_large: bool,
     /// The line before was reported as misplaced.
-    misplaced: bool,
+    pub(super) misplaced: bool,
     /// Own line that closes the section.
     end: u32,
 }
 
+/// How much a walk has recorded, so that an attempt can be taken back.
+pub(super) struct Mark {
+    pub(super) findings: usize,
+    pub(super) references: usize,
+    pub(super) overruns: usize,
+    pub(super) identifiers: usize,
+    pub(super) clean: bool,
+}
+
 impl<'db> CodeReader<'db> {
+    pub(super) fn mark(&self) -> Mark {
+        Mark {
+            findings: self.out.findings.len(),
+            references: self.out.references.len(),
+            overruns: self.out.overruns.len(),
+            identifiers: self.out.identifiers.len(),
+            clean: self.clean,
+        }
+    }
+
     fn read(&mut self) {
-        let parsed = database::section_lines(self.db, self.section);
+        let parsed = self.parsed;
         let errors = parsed.error_lines();
         let mut children = self.section.children(self.db).iter().peekable();
         self.collect_labels(&parsed.lines);
         for (number, line) in parsed.lines.iter().enumerate() {
             self.line = number as u32;
-            while let Some((child, _)) = children.next_if(|(_, before)| *before <= self.line) {
+            let own = self.own_line();
+            while let Some((child, _)) = children.next_if(|(_, before)| *before <= own) {
                 self.nested(*child);
             }
+            self.leave_calls();
             self.clean = true;
             let broken = errors.binary_search(&self.line).is_ok();
+            let local = self.in_local_data().then(|| self.place.in_local_data());
+            let around = local.map(|local| std::mem::replace(&mut self.place, local));
             self.one(line, broken);
+            if let Some(around) = around {
+                self.place = around;
+            }
         }
         self.line = parsed.lines.len() as u32;
+        self.leave_calls();
         for (child, _) in children {
             self.nested(*child);
         }
@@ -101,7 +146,9 @@ impl<'db> CodeReader<'db> {
         }
         for (number, line) in lines.iter().enumerate() {
             let Some(label) = &line.label else { continue };
-            if line.operation.as_ref().is_some_and(|o| o.text.eq_ignore_ascii_case("STR")) {
+            if self.is_local_data(number as u32)
+                || line.operation.as_ref().is_some_and(|o| o.text.eq_ignore_ascii_case("STR"))
+            {
                 continue;
             }
             let key: Arc<str> = Arc::from(label.key());
@@ -144,6 +191,10 @@ impl<'db> CodeReader<'db> {
             self.clean = false;
             self.out.body.complete = false;
         }
+        if let Some(call) = self.calls.next_if(|call| call.line == self.line) {
+            self.call(call, line);
+            return;
+        }
         let Some(operation) = &line.operation else {
             self.unreadable |= broken;
             return;
@@ -174,16 +225,11 @@ impl<'db> CodeReader<'db> {
         if known.is_some() {
             return known;
         }
-        if matches!(self.symbol(&operation.text), Some(Symbol { kind: SymbolKind::Macro, .. })) {
-            self.unreadable = true;
-            self.misplaced = false;
-            if let Some(symbol) = self.symbol(&operation.text).cloned() {
-                self.refer(operation.columns.clone(), Referent::Symbol(symbol.key), ReferenceAccess::Call);
-            }
-            self.push(StatementKind::Macro { name: Arc::from(operation.key()) });
+        self.unreadable = true;
+        if self.in_expansion() {
+            // Reported where the macro is defined.
             return None;
         }
-        self.unreadable = true;
         self.misplaced = true;
         let names = catalogue::entries()
             .filter(|e| {
@@ -225,7 +271,6 @@ impl<'db> CodeReader<'db> {
 
     /// MECH_BEGIN, MECH_END, PROC_BEGIN, PROC_END.
     fn named_line(&mut self, entry: &'static Entry, operation: &Name, line: &Line) {
-        use crate::syntax::ast::ExprKind;
         match line.operands.as_slice() {
             [] => {
                 let message = format!("the name is missing: {}", form(entry));
@@ -258,6 +303,8 @@ impl<'db> CodeReader<'db> {
         }
         match entry.name {
             "EQUI" | "DS" | "STR" | "DFM" => operands::declaration(self, entry, line),
+            "APPEND_T_MACRO" => self.append(line),
+            "T_LOCAL" => self.t_local(line),
             _ => {
                 if entry.kind == EntryKind::Directive {
                     operands::resolve(self, entry, line);
@@ -277,6 +324,14 @@ impl<'db> CodeReader<'db> {
         }
         if entry.kind == EntryKind::Declaration {
             operands::declaration(self, entry, line);
+            return;
+        }
+        if entry.name == "APPEND_T_MACRO" {
+            self.append(line);
+            return;
+        }
+        if entry.name == "T_LOCAL" {
+            self.t_local(line);
             return;
         }
         let resolved = operands::resolve(self, entry, line);
@@ -336,21 +391,16 @@ impl<'db> CodeReader<'db> {
             let equations = std::mem::take(&mut self.equations);
             self.out.findings.extend(equations.finish());
             let labels = std::mem::take(&mut self.labels);
-            let lines = &database::section_lines(self.db, self.section).lines;
-            let found = flow::check(&self.out.body, lines, &labels, self.unreadable);
+            let found = flow::check(&self.out.body, &self.parsed.lines, &labels, self.unreadable);
             self.out.findings.extend(found);
         }
-        self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
         let blocked = self.out.findings.iter().any(Finding::blocks);
-        self.out.body.complete &=
-            !blocked && !self.unreadable_without_macro() && self.section.closed(self.db);
+        self.out.body.complete &= !blocked && !self.unreadable && self.section.closed(self.db);
+        if let Some(expansion) = self.expansion {
+            self.out = macros::remap::analysis(expansion, self.out);
+        }
+        self.out.findings.sort_by_key(|f| (f.line, f.columns.start));
         self.out
-    }
-
-    fn unreadable_without_macro(&self) -> bool {
-        let has_macro =
-            self.out.body.statements.iter().any(|s| matches!(s.kind, StatementKind::Macro { .. }));
-        self.unreadable && !has_macro
     }
 
     /// The symbol a name stands for here, without a report.
@@ -377,6 +427,11 @@ impl<'db> CodeReader<'db> {
     }
 
     fn unknown(&mut self, name: &Name) {
+        if self.parameter_without_prefix(name) {
+            // Reported where the macro is defined.
+            self.clean = false;
+            return;
+        }
         let near = self.nearest_symbol(name);
         let message = match &near {
             Some(near) => format!("{} is not declared; did you mean {near}?", name.text),
@@ -393,7 +448,8 @@ impl<'db> CodeReader<'db> {
         let scope = database::scope(self.db, self.project);
         let locals = self.place.file.and_then(|file| scope.locals.get(usize::from(file)));
         let own = locals.into_iter().flat_map(|table| table.keys()).chain(scope.globals.keys());
-        let near = suggest::nearest(&name.text, own.map(|key| &**key));
+        let own = own.map(|key| &**key).filter(|key| !key.contains("@@"));
+        let near = suggest::nearest(&name.text, own);
         let near = near.or_else(|| suggest::nearest(&name.text, catalogue::symbols().map(|s| s.name)));
         near.map(|near| declared_spelling(self.db, self.project, self.place.file, near))
     }
@@ -455,6 +511,7 @@ impl<'db> CodeReader<'db> {
                 offset,
                 bytes,
                 declared,
+                expanded: None,
             });
         }
     }
@@ -470,8 +527,7 @@ fn declared_spelling(db: &dyn Db, project: Project, file: Option<u8>, key: &str)
     let name = NameRef::new(db, Arc::from(key), file);
     let spelling = database::lookup(db, project, name).as_ref().and_then(|symbol| {
         let site = database::sites(db, project).get(&symbol.key)?.first()?;
-        let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
-        Some(declared.name.text.clone())
+        Some(database::declared(db, project, *site)?.name.text.clone())
     });
     spelling.unwrap_or_else(|| key.to_string())
 }

@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use super::constant::{ConstExpr, NotConstant};
-use super::declarations::{Declarations, Declared, Exports, IncludeLine, Overlay, Storage, What};
+use super::declarations::{
+    Declarations, Declared, Exports, IncludeLine, LengthOf, MacroLine, Overlay, Storage, What,
+};
+use super::macros::definition::Flags;
 use crate::catalogue;
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::declarations as rules;
@@ -16,10 +19,11 @@ pub(crate) const MAX_LENGTH: i64 = 0x000F_FFFF;
 
 /// Declarations in the own lines of a section. `outer` are the sections around it.
 pub(crate) fn collect(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Declarations {
-    let mut reader =
-        Reader { kind, found: Declarations::default(), pending: Vec::new(), errors: parsed.error_lines() };
+    let mut reader = Reader::new(kind, parsed.error_lines());
     if kind == SectionKind::Macro {
-        reader.macro_name(parsed.lines.first());
+        if let Some(line) = parsed.lines.first() {
+            reader.macro_name(0, line, What::Macro);
+        }
         return reader.found;
     }
     for (number, (line, source)) in parsed.lines.iter().zip(crate::syntax::lines(text)).enumerate() {
@@ -41,11 +45,11 @@ pub(crate) fn exports(declarations: &Declarations) -> Exports {
         }
     }
     exports.storage = declarations.storage.iter().map(|s| Some(s.len)).collect();
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         if let Ok(expr) = ConstExpr::read(expr) {
             exports.storage[*storage as usize] = None;
             let name = name.and_then(|name| place[name as usize]);
-            exports.lengths.push((*storage, name, expr, *extra));
+            exports.lengths.push((*storage, name, expr, *counts));
         }
     }
     for (name, expr) in &declarations.expressions {
@@ -74,9 +78,10 @@ pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bo
     }
 }
 
-struct Reader {
+/// Reads lines one after the other.
+pub(super) struct Reader {
     kind: SectionKind,
-    found: Declarations,
+    pub(super) found: Declarations,
     /// Labels that wait for the line they belong to.
     pending: Vec<(u32, Name)>,
     /// Lines the parser complained about: their declarations are taken as unknown.
@@ -84,7 +89,12 @@ struct Reader {
 }
 
 impl Reader {
-    fn line(&mut self, number: u32, line: &Line, text: &str) {
+    /// A reader of lines in a section of a kind; `errors` are the lines the parser complained about.
+    pub(super) fn new(kind: SectionKind, errors: Vec<u32>) -> Reader {
+        Reader { kind, found: Declarations::default(), pending: Vec::new(), errors }
+    }
+
+    pub(super) fn line(&mut self, number: u32, line: &Line, text: &str) {
         if let Some(label) = &line.label {
             self.pending.push((number, label.clone()));
         }
@@ -100,9 +110,16 @@ impl Reader {
             "PROC_BEGIN" if self.kind == SectionKind::Procedure && number == 0 => {
                 self.routine(line, What::Procedure);
             }
-            "APPEND_T_MACRO" => self.macro_name(Some(line)),
+            "APPEND_T_MACRO" => self.append(number, line),
+            "CONTROL_T_MACRO" => {
+                if let Some(Expr { kind: ExprKind::Name(mode), .. }) = line.operands.first() {
+                    let pre = mode.text.eq_ignore_ascii_case("PRE");
+                    self.found.macro_lines.push(MacroLine::Control { line: number, pre });
+                }
+            }
             "T_INCLUDE" => {
                 if let Some((columns, name, quoted)) = include_of(line, text) {
+                    self.found.macro_lines.push(MacroLine::Include { line: number, name: name.clone() });
                     self.found.includes.push(IncludeLine { line: number, columns, name, quoted });
                 }
             }
@@ -112,7 +129,12 @@ impl Reader {
                     self.declare(label, line, What::Unknown);
                 }
             }
-            _ => self.labels_of_code(),
+            _ => {
+                self.labels_of_code();
+                if let Some(new) = catalogue::entry(&operation.text).and_then(catalogue::Entry::declares) {
+                    super::new_cells::declare(self, number, line, new);
+                }
+            }
         }
     }
 
@@ -120,7 +142,7 @@ impl Reader {
         matches!(self.kind, SectionKind::Data | SectionKind::DataLocal | SectionKind::File)
     }
 
-    fn labels_of_code(&mut self) {
+    pub(super) fn labels_of_code(&mut self) {
         if matches!(self.kind, SectionKind::Data | SectionKind::DataLocal) {
             for (line, label) in std::mem::take(&mut self.pending) {
                 let message = format!("{} names nothing: DFM, DS or STR must follow", label.text);
@@ -135,11 +157,11 @@ impl Reader {
         }
     }
 
-    fn broken(&self, number: u32) -> bool {
+    pub(super) fn broken(&self, number: u32) -> bool {
         self.errors.binary_search(&number).is_ok()
     }
 
-    fn report(
+    pub(super) fn report(
         &mut self,
         rule: &'static crate::diagnostics::Rule,
         line: u32,
@@ -149,7 +171,7 @@ impl Reader {
         self.found.findings.push(Finding::new(rule, line, columns, message));
     }
 
-    fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
+    pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
         self.found.names.push(Declared { name, line, what });
         self.found.names.len() as u32 - 1
@@ -166,7 +188,7 @@ impl Reader {
         }
     }
 
-    fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
+    pub(super) fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
         self.found.storage.push(Storage { len, initial });
         self.found.storage.len() as u32 - 1
     }
@@ -228,7 +250,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let Length::Later(expr) = length {
-            self.found.lengths.push((storage, first, expr, false));
+            self.found.lengths.push((storage, first, expr, LengthOf::Bytes));
         }
     }
 
@@ -254,7 +276,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let (Length::Later(expr), Some(storage)) = (length, storage) {
-            self.found.lengths.push((storage, first, expr, true));
+            self.found.lengths.push((storage, first, expr, LengthOf::Characters));
         }
     }
 
@@ -374,14 +396,29 @@ impl Reader {
         }
     }
 
-    fn macro_name(&mut self, line: Option<&Line>) {
-        let Some(mut expr) = line.and_then(|line| line.operands.first()) else { return };
+    fn append(&mut self, number: u32, line: &Line) {
+        let [Expr { kind: ExprKind::Name(word), .. }, Expr { kind: ExprKind::Name(target), .. }, flags @ ..] =
+            line.operands.as_slice()
+        else {
+            return;
+        };
+        self.found.macro_lines.push(MacroLine::Append {
+            line: number,
+            word: Arc::from(word.key()),
+            target: Arc::from(target.key()),
+            flags: Flags::read(flags).0,
+        });
+        self.macro_name(number, line, What::MacroWord);
+    }
+
+    fn macro_name(&mut self, number: u32, line: &Line, what: What) {
+        let Some(mut expr) = line.operands.first() else { return };
         if let ExprKind::Index { base, .. } = &expr.kind {
             expr = base;
         }
         if let ExprKind::Name(name) = &expr.kind {
             let name = name.clone();
-            self.found.names.push(Declared { name, line: 0, what: What::Macro });
+            self.found.names.push(Declared { name, line: number, what });
         }
     }
 }
@@ -416,7 +453,11 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
 }
 
 fn is_reserved(name: &str) -> bool {
-    catalogue::entry(name).is_some_and(|entry| entry.kind != catalogue::EntryKind::EventProcedure)
+    // 80386 instructions known by name only are no obstacle: LOOP, TEST and OUT are good names.
+    let taken = |entry: &catalogue::Entry| {
+        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only()
+    };
+    catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()
         || catalogue::is_keyword(name)
 }

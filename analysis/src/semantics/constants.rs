@@ -9,7 +9,7 @@ use super::constant::ConstExpr;
 use super::declarations::What;
 use super::program::Part;
 use crate::catalogue::SystemKind;
-use crate::database::{self, Db};
+use crate::database::{Db, Project};
 
 /// EQUI constants of the project.
 #[derive(Default)]
@@ -23,12 +23,14 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    pub(super) fn resolve(db: &dyn Db, parts: &[Part<'_>]) -> Constants {
+    pub(super) fn resolve(db: &dyn Db, project: Project, parts: &[Part<'_>]) -> Constants {
         let mut open: FxHashMap<Arc<str>, Vec<&ConstExpr>> = FxHashMap::default();
         let mut known = Constants::default();
         for part in parts {
-            let exports = database::section_exports(db, part.section);
-            for (index, (name, what)) in exports.names.iter().enumerate() {
+            let all = super::program::all_exports(db, project, part);
+            let names =
+                all.flat_map(|(_, exports, _)| exports.names.iter().enumerate().map(move |it| (exports, it)));
+            for (exports, (index, (name, what))) in names {
                 if let What::Constant(value) = what {
                     match (value, exports.expressions.iter().find(|(i, _)| *i == index as u32)) {
                         (Some(value), _) => known.add(name, Some(*value)),

@@ -125,6 +125,10 @@ fn declared(
     let found = match symbol.kind {
         SymbolKind::Cell(width) | SymbolKind::Array { element: width, .. } => width,
         SymbolKind::MechanismLine => Width::Word,
+        // A place for REAL or QWORD cells alone gives DS 8 its type.
+        SymbolKind::Area { len: 8 } if only_eight(wanted.declared).is_some() => {
+            return only_eight(wanted.declared);
+        }
         SymbolKind::Area { .. } | SymbolKind::Text { .. } => {
             let message =
                 format!("{} has no type; put BYTE., WORD., DWRD., QWRD. or REAL. before it", symbol.key.name);
@@ -141,6 +145,8 @@ fn declared(
         Width::Byte => Prefix::Byte,
         Width::Word => Prefix::Word,
         Width::DWord => Prefix::Dwrd,
+        Width::QWord if wanted.declared.contains(Prefix::Qwrd) => Prefix::Qwrd,
+        Width::Real if wanted.declared.contains(Prefix::Real) => Prefix::Real,
         Width::QWord | Width::Real => {
             let message = format!("{} is 8 bytes long; say QWRD. or REAL.", symbol.key.name);
             reader.report_symbol(&rules::UNTYPED_AREA, expr.columns.clone(), message, &symbol.key);
@@ -161,11 +167,22 @@ fn declared(
     None
 }
 
+/// The 8-byte type, when the place takes one of them and no other.
+fn only_eight(declared: PrefixSet) -> Option<Width> {
+    match (declared.contains(Prefix::Qwrd), declared.contains(Prefix::Real)) {
+        (true, false) => Some(Width::QWord),
+        (false, true) => Some(Width::Real),
+        _ => None,
+    }
+}
+
 fn types(declared: PrefixSet) -> String {
     let names: Vec<_> = [
         (Prefix::Byte, "BYTE cells"),
         (Prefix::Word, "WORD cells"),
         (Prefix::Dwrd, "DWORD cells"),
+        (Prefix::Qwrd, "QWORD cells"),
+        (Prefix::Real, "REAL cells"),
         (Prefix::Cnst, "constants"),
     ]
     .iter()
@@ -368,9 +385,17 @@ pub(super) fn area(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Op
 
 /// A text buffer, with offset or BX.
 pub(super) fn text(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Option<Operand> {
-    place(reader, expr, uses, "a text buffer declared by STR is needed here", |kind| {
-        matches!(kind, SymbolKind::Text { .. } | SymbolKind::Area { .. })
-    })
+    text_needed(reader, expr, uses, "a text buffer declared by STR is needed here")
+}
+
+/// A text buffer where something else may stand too; `need` says what.
+pub(super) fn text_needed(
+    reader: &mut CodeReader<'_>,
+    expr: &Expr,
+    uses: Access,
+    need: &'static str,
+) -> Option<Operand> {
+    place(reader, expr, uses, need, |kind| matches!(kind, SymbolKind::Text { .. } | SymbolKind::Area { .. }))
 }
 
 fn place(

@@ -3,7 +3,10 @@
 
 use std::sync::Arc;
 
+use technol_image::op::Width;
+
 use super::constant::ConstExpr;
+use super::macros::definition::Flags;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::{Columns, Expr, Name};
 
@@ -17,10 +20,12 @@ pub struct Declarations {
     /// EQUI values that need other constants: index into `names`, and the expression.
     pub expressions: Vec<(u32, Expr)>,
     /// Lengths that need constants of other sections: index into `storage`, index into `names`, the expression,
-    /// and whether one byte more is reserved (STR).
-    pub lengths: Vec<(u32, Option<u32>, Expr, bool)>,
+    /// and what it counts.
+    pub lengths: Vec<(u32, Option<u32>, Expr, LengthOf)>,
     /// Files named by T_INCLUDE.
     pub includes: Vec<IncludeLine>,
+    /// APPEND_T_MACRO, CONTROL_T_MACRO and T_INCLUDE lines, ascending.
+    pub macro_lines: Vec<MacroLine>,
     /// Mistakes in the declarations.
     pub findings: Vec<Finding>,
 }
@@ -36,6 +41,48 @@ pub struct IncludeLine {
     pub name: String,
     /// It stands in apostrophes: searched in the system folder.
     pub quoted: bool,
+}
+
+/// A line that decides which words call macros (manual 22).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum MacroLine {
+    /// APPEND_T_MACRO: `word` calls the macro `target`.
+    Append {
+        /// 0-based own line.
+        line: u32,
+        /// Key of the word.
+        word: Arc<str>,
+        /// Key of the macro.
+        target: Arc<str>,
+        /// Flags of its calls.
+        flags: Flags,
+    },
+    /// CONTROL_T_MACRO.
+    Control {
+        /// 0-based own line.
+        line: u32,
+        /// PRE, else POS.
+        pre: bool,
+    },
+    /// T_INCLUDE.
+    Include {
+        /// 0-based own line.
+        line: u32,
+        /// Spelled name.
+        name: String,
+    },
+}
+
+impl MacroLine {
+    /// 0-based own line.
+    #[must_use]
+    pub const fn line(&self) -> u32 {
+        match self {
+            MacroLine::Append { line, .. }
+            | MacroLine::Control { line, .. }
+            | MacroLine::Include { line, .. } => *line,
+        }
+    }
 }
 
 /// What a text buffer lies over.
@@ -54,6 +101,29 @@ pub struct Storage {
     pub len: u32,
     /// Initial content (STR with a text); zero when absent.
     pub initial: Option<Vec<u8>>,
+}
+
+/// What a declared length counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthOf {
+    /// Bytes (DS).
+    Bytes,
+    /// Characters; a byte more is reserved (STR).
+    Characters,
+    /// Elements of this many bytes (DEF_IN, DEF_OUT).
+    Elements(u32),
+}
+
+impl LengthOf {
+    /// Bytes of memory that `count` takes.
+    #[must_use]
+    pub const fn bytes(self, count: u32) -> u32 {
+        match self {
+            LengthOf::Bytes => count,
+            LengthOf::Characters => count.saturating_add(1),
+            LengthOf::Elements(size) => count.saturating_mul(size),
+        }
+    }
 }
 
 /// A declared name.
@@ -87,6 +157,15 @@ pub enum What {
         /// Index into [`Declarations::storage`].
         storage: u32,
     },
+    /// A cell of a named type, or an array of such cells (MAP_AIN, MAP_AOUT, DEF_IN, DEF_OUT).
+    Typed {
+        /// Index into [`Declarations::storage`].
+        storage: u32,
+        /// Type of the cell or of an element.
+        element: Width,
+        /// Declared with `[n]`, so that `name[n]` is an element.
+        array: bool,
+    },
     /// A text buffer (STR n).
     Text {
         /// Index into [`Declarations::storage`]; `None` when it lies over another symbol.
@@ -98,8 +177,10 @@ pub enum What {
     },
     /// EQUI: the value, when the line alone gives it; else see [`Declarations::expressions`].
     Constant(Option<i64>),
-    /// A user instruction (DEF_T_MACRO, APPEND_T_MACRO).
+    /// A user instruction (DEF_T_MACRO).
     Macro,
+    /// A word that calls a user instruction (APPEND_T_MACRO).
+    MacroWord,
     /// Declared by a line with a mistake: known, but nothing more can be said about it.
     Unknown,
     /// MECH_BEGIN: activation bit, and `name_LINE`.
@@ -121,8 +202,8 @@ pub struct Exports {
     pub indices: Vec<u32>,
     /// EQUI values that need other constants: index into `names`.
     pub expressions: Vec<(u32, ConstExpr)>,
-    /// Lengths that need other constants: index into `storage`, index into `names`, whether a byte more is reserved.
-    pub lengths: Vec<(u32, Option<u32>, ConstExpr, bool)>,
+    /// Lengths that need other constants: index into `storage`, index into `names`, what it counts.
+    pub lengths: Vec<(u32, Option<u32>, ConstExpr, LengthOf)>,
     /// Spelled names of included files.
     pub includes: Vec<(String, bool)>,
 }

@@ -7,14 +7,15 @@ use technol_image::op::STACK_DEPTH;
 
 use crate::catalogue::{Effect, Entry, Equation};
 use crate::diagnostics::Finding;
-use crate::diagnostics::rules::equations as rules;
+use crate::diagnostics::rules::{equations as rules, macros};
+use crate::semantics::macros::definition::StackFlag;
 use crate::syntax::ast::Columns;
 
 /// A place in the section.
 type Spot = (u32, Columns);
 
 /// An open equation.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Open {
     /// Where it began.
     began: Spot,
@@ -29,6 +30,8 @@ pub(super) struct Equations {
     /// LDRs that pushed and whose value is still on the stack, with where the pushed part began.
     pushed: Vec<(Spot, Spot)>,
     findings: Vec<Finding>,
+    /// In the state before a call: number of findings until then.
+    reported: usize,
     /// A line that could not be read may have opened or closed anything.
     unsure: bool,
 }
@@ -40,7 +43,13 @@ impl Equations {
     }
 
     /// An instruction; gives whether it is an LDR that pushes.
-    pub(super) fn step(&mut self, entry: &Entry, has_operand: bool, line: u32, columns: &Columns) -> bool {
+    pub(in crate::semantics) fn step(
+        &mut self,
+        entry: &Entry,
+        has_operand: bool,
+        line: u32,
+        columns: &Columns,
+    ) -> bool {
         match entry.equation {
             Equation::None | Equation::Modify => {}
             Equation::Open => return self.load((line, columns.clone())),
@@ -60,6 +69,85 @@ impl Equations {
             Equation::Terminal => self.findings.extend(self.open.take().and_then(|open| open.lost)),
         }
         false
+    }
+
+    /// A macro is called; gives the state before it.
+    pub(super) fn enter(&mut self, flag: StackFlag) -> Equations {
+        let before = Equations {
+            open: self.open.clone(),
+            pushed: self.pushed.clone(),
+            findings: Vec::new(),
+            reported: self.findings.len(),
+            unsure: false,
+        };
+        if flag == StackFlag::Begin {
+            self.open = None;
+            self.pushed.clear();
+        }
+        before
+    }
+
+    /// The lines of a macro are over: what counts from here on is what its flag says.
+    pub(super) fn leave(&mut self, before: Equations, flag: StackFlag, spot: Spot, word: &str) {
+        let clean = self.findings.len() == before.reported;
+        if clean
+            && before.open.is_some()
+            && self.pushed.len() > before.pushed.len()
+            && flag != StackFlag::Push
+        {
+            let message = format!(
+                "an equation is open here, and {word} begins another one that does not take it back; close it before"
+            );
+            self.findings.push(Finding::new(&macros::MACRO_FLAG_MISMATCH, spot.0, spot.1.clone(), message));
+        }
+        let unmoved = match flag {
+            StackFlag::Push if before.open.is_some() => self.pushed.len() <= before.pushed.len(),
+            StackFlag::Pop => !before.pushed.is_empty() && self.pushed.len() >= before.pushed.len(),
+            _ => false,
+        };
+        if clean && unmoved {
+            let message = format!(
+                "{} says that {word} moves RLO to or from the stack, but no instruction of its body does",
+                flag.word()
+            );
+            self.findings.push(Finding::new(&macros::MACRO_FLAG_MISMATCH, spot.0, spot.1.clone(), message));
+        }
+        let lost = self.open.take().and_then(|open| open.lost);
+        self.open = before.open;
+        self.pushed = before.pushed;
+        match flag {
+            StackFlag::Normal => {}
+            StackFlag::Begin => {
+                self.open = None;
+                self.pushed.clear();
+            }
+            StackFlag::End => {
+                self.findings.extend(self.open.take().and_then(|open| open.lost).or(lost));
+            }
+            StackFlag::Push => {
+                self.load(spot);
+            }
+            StackFlag::Pop => {
+                if let Some((_, began)) = self.pushed.pop() {
+                    self.open = Some(Open { began, lost: None });
+                } else if clean {
+                    let message = format!(
+                        "{word} takes a value from the stack (T_POP), but no LDR pushed one before the call"
+                    );
+                    self.findings.push(Finding::new(&rules::POP_WITHOUT_PUSH, spot.0, spot.1, message));
+                }
+            }
+        }
+    }
+
+    /// As if an LDR stood before the first line.
+    pub(in crate::semantics) fn push_one(&mut self) {
+        self.load((0, 0..0));
+    }
+
+    /// What the lines so far leave: an open equation, and pushed values.
+    pub(in crate::semantics) fn left(&self) -> (bool, usize) {
+        (self.open.is_some(), self.pushed.len())
     }
 
     fn load(&mut self, spot: Spot) -> bool {

@@ -17,6 +17,8 @@ pub enum SymbolScope {
     File(u8),
     /// Predefined; the address comes from the catalogue.
     System,
+    /// Words that call macros: they stand at the place of the operation only, so they are apart from all others.
+    Macro,
 }
 
 /// A symbol of the project: scope and key (upper case, 31 characters).
@@ -125,11 +127,6 @@ pub enum StatementKind {
         name: Arc<str>,
         /// Ordinal within the file.
         ordinal: u32,
-    },
-    /// A user instruction (macro call); not expanded yet, `build` refuses it.
-    Macro {
-        /// Key of its name.
-        name: Arc<str>,
     },
     /// Nothing: carries labels only.
     Empty,

@@ -11,14 +11,14 @@ use super::hir::{Address, Operand};
 use super::program::no_value;
 use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
-use super::{bits, data, moves};
+use super::{alternatives, bits, data, identifiers, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
 use crate::diagnostics::rules::{declarations, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
 
 /// Resolves the operands of a line and checks them against each other.
 pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) -> Vec<Operand> {
-    if entry.name == "T_INCLUDE" || entry.name == "APPEND_T_MACRO" || entry.name == "CONTROL_T_MACRO" {
+    if entry.name == "T_INCLUDE" {
         return Vec::new();
     }
     let mut resolved = Vec::with_capacity(line.operands.len());
@@ -47,6 +47,7 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
         reader.report(&rules::OPERAND_COUNT, operation.columns.clone(), message);
         return resolved;
     }
+    identifiers::typed(reader, entry, line);
     if reader.clean {
         moves::check(reader, entry, line, &mut resolved);
     }
@@ -124,7 +125,7 @@ fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
 }
 
 /// Whether a name in a constant expression is a constant; reports it when not.
-fn constant_name(reader: &mut CodeReader<'_>, name: &Name) -> bool {
+pub(super) fn constant_name(reader: &mut CodeReader<'_>, name: &Name) -> bool {
     let Some(symbol) = reader.resolve(name, ReferenceAccess::Read) else { return false };
     if matches!(symbol.kind, SymbolKind::Constant(_)) {
         return true;
@@ -141,7 +142,7 @@ fn circular(reader: &CodeReader<'_>, line: &Line) -> bool {
         && crate::database::scope(reader.db, reader.project).circular.contains(name.key().as_str())
 }
 
-fn names_in<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
+pub(super) fn names_in<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
     match &expr.kind {
         ExprKind::Name(name) => found.push(name),
         ExprKind::Sign { operand, .. } | ExprKind::Parens(operand) => names_in(operand, found),
@@ -192,8 +193,18 @@ fn one(
         }
         _ => {}
     }
+    of_kind(reader, entry, spec.kind, expr)
+}
+
+/// An operand that is given, as one of a kind.
+pub(super) fn of_kind(
+    reader: &mut CodeReader<'_>,
+    entry: &'static Entry,
+    kind: OperandKind,
+    expr: &Expr,
+) -> Option<Operand> {
     let counters = PrefixSet::of(&[catalogue::Prefix::Byte, catalogue::Prefix::Word]);
-    match spec.kind {
+    match kind {
         OperandKind::Bit { access, negatable, extended } => {
             bits::bit(reader, expr, &bits::BitRules { access, negatable, extended })
         }
@@ -250,11 +261,11 @@ fn one(
             _ => number(reader, expr, min, max),
         },
         OperandKind::NewName | OperandKind::NewBit => Some(Operand::Skipped),
-        OperandKind::Identifier(_)
-        | OperandKind::Declares(_)
-        | OperandKind::DeclaredElement
-        | OperandKind::OneOf(_)
-        | OperandKind::Any => Some(any(reader, expr)),
+        OperandKind::Identifier(element) => identifiers::identifier(reader, entry, element, expr),
+        OperandKind::Declares(new) => identifiers::declared(reader, entry, new, expr),
+        OperandKind::DeclaredElement => identifiers::element(reader, expr),
+        OperandKind::OneOf(kinds) => alternatives::one_of(reader, entry, kinds, expr),
+        OperandKind::Any => Some(any(reader, expr)),
     }
 }
 

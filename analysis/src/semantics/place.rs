@@ -24,14 +24,22 @@ type Refusal = (&'static Rule, String);
 impl Context {
     pub(crate) fn of(db: &dyn Db, project: Project, section: Section<'_>, included: bool) -> Context {
         let own = section.kind(db);
-        let part = || database::parts(db, project).parts.iter().find(|part| part.section == section);
         // Only an included file depends on who includes it.
         let (kind, file) = if included {
-            part().map_or((own, None), |part| (part.kind, Some(part.file)))
+            database::inclusion(db, project, section).map_or((own, None), |(kind, file)| (kind, Some(file)))
         } else {
             (own, section.file(db).order(db))
         };
         Context { kind, outer: section.outer(db).clone(), included, file }
+    }
+
+    /// The place of DATA_LOCAL in an expansion here.
+    pub(super) fn in_local_data(&self) -> Context {
+        let mut outer = self.outer.clone();
+        if self.kind != SectionKind::File {
+            outer.push(self.kind);
+        }
+        Context { kind: SectionKind::DataLocal, outer, included: self.included, file: self.file }
     }
 
     /// Code stands here, with labels of its own.

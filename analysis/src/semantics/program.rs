@@ -12,7 +12,7 @@ use super::declarations::{Declarations, Exports, What};
 use super::hir::{SymbolKey, SymbolScope};
 use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
 use crate::catalogue::{Prefix, SystemKind};
-use crate::database::{self, Db, Project, Section, Site, SourceFile};
+use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::project::IncludeTarget;
 use crate::syntax::section::SectionKind;
 
@@ -113,18 +113,68 @@ fn has_memory(db: &dyn Db, file: SourceFile) -> bool {
 /// Names and memory of the project.
 pub(crate) fn scope(db: &dyn Db, project: Project) -> Scope {
     let parts = &database::parts(db, project).parts;
-    let constants = Constants::resolve(db, parts);
+    let constants = Constants::resolve(db, project, parts);
     let mut scope = Scope { locals: vec![FxHashMap::default(); project.files(db).len()], ..Scope::default() };
     for part in parts {
-        let exports = database::section_exports(db, part.section);
-        for (name, what) in &exports.names {
-            declare(&mut scope, db, part, exports, name, what, &constants);
+        for (part, exports, _) in all_exports(db, project, part) {
+            for (name, what) in &exports.names {
+                declare(&mut scope, db, &part, exports, name, what, &constants);
+            }
         }
     }
     scope.circular = constants.circular;
     mechanism_lines(&mut scope);
     local_clashes(&mut scope);
     scope
+}
+
+/// What a part exports: its own lines, then the macros it calls. The part's kind is the one the names count for.
+pub(super) fn all_exports<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    part: &Part<'db>,
+) -> impl Iterator<Item = (Part<'db>, &'db Exports, SiteOf)> {
+    let own = (*part, database::section_exports(db, part.section), SiteOf::Own);
+    let expanded = database::has_macros(db, project)
+        .then(|| database::expansion_exports(db, project, part.section))
+        .map(|expanded| {
+            let local = Part { kind: SectionKind::DataLocal, ..*part };
+            [(local, &expanded.local, SiteOf::Local), (*part, &expanded.other, SiteOf::Other)]
+        });
+    std::iter::once(own).chain(expanded.into_iter().flatten())
+}
+
+/// Declarations that get memory together.
+pub(crate) struct Block<'db> {
+    /// The part they belong to.
+    pub(crate) part: Part<'db>,
+    /// What they count as.
+    pub(crate) kind: SectionKind,
+    /// With all lengths and constants.
+    pub(crate) declarations: &'db Declarations,
+    /// They stand in macros that the part calls.
+    pub(crate) expanded: bool,
+}
+
+/// The declarations of the project in order of memory: those of a section's macros follow its own.
+pub(crate) fn blocks(db: &dyn Db, project: Project) -> Vec<Block<'_>> {
+    let mut blocks = Vec::new();
+    for part in &database::parts(db, project).parts {
+        let declarations = database::resolved_declarations(db, project, part.section);
+        blocks.push(Block { part: *part, kind: part.kind, declarations, expanded: false });
+        if !database::has_macros(db, project) {
+            continue;
+        }
+        let expanded = database::resolved_expansion(db, project, part.section);
+        // Whatever else the section is, a macro makes no second mechanism or module of it.
+        let other = if part.kind == SectionKind::Data { SectionKind::Data } else { SectionKind::File };
+        for (kind, declarations) in [(SectionKind::DataLocal, &expanded.local), (other, &expanded.other)] {
+            if !declarations.names.is_empty() || !declarations.storage.is_empty() {
+                blocks.push(Block { part: *part, kind, declarations, expanded: true });
+            }
+        }
+    }
+    blocks
 }
 
 fn declare(
@@ -150,8 +200,14 @@ fn declare(
             None => return,
         },
         SymbolScope::Global | SymbolScope::System => &mut scope.globals,
+        SymbolScope::Macro => &mut scope.macros,
     };
     let symbol = Symbol { key: key.clone(), kind };
+    if *what == What::MacroWord {
+        // A word may be appended to another macro, or again to its own with other flags.
+        table.entry(name.clone()).or_insert(symbol);
+        return;
+    }
     if let Some(before) = table.get(name) {
         if let Some(clash) = clash(&before.kind, &symbol.kind, constants.conflicts.contains(name.as_ref())) {
             scope.clashes.insert(key, clash);
@@ -165,7 +221,11 @@ fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash>
     let cell = |kind: &SymbolKind| {
         matches!(
             kind,
-            SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. }
+            SymbolKind::Bit { .. }
+                | SymbolKind::Cell(_)
+                | SymbolKind::Array { .. }
+                | SymbolKind::Area { .. }
+                | SymbolKind::Text { .. }
         )
     };
     match (before, now) {
@@ -207,7 +267,8 @@ fn local_clashes(scope: &mut Scope) {
 fn owner(part: &Part<'_>, what: &What) -> SymbolScope {
     let local = part.kind == SectionKind::DataLocal;
     match what {
-        What::Constant(_) | What::Mechanism | What::Procedure | What::Macro => SymbolScope::Global,
+        What::Macro | What::MacroWord => SymbolScope::Macro,
+        What::Constant(_) | What::Mechanism | What::Procedure => SymbolScope::Global,
         _ if local => SymbolScope::File(part.file),
         _ => SymbolScope::Global,
     }
@@ -223,9 +284,9 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
     let length = |storage: u32| {
         let known = exports.storage.get(storage as usize).copied().flatten();
         known.or_else(|| {
-            let (.., expr, extra) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
+            let (.., expr, counts) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
             let len = constants.value(expr).filter(|len| (1..=super::collect::MAX_LENGTH).contains(len))?;
-            Some(len as u32 + u32::from(*extra))
+            Some(counts.bytes(len as u32))
         })
     };
     match what {
@@ -237,6 +298,13 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
             Some(len) => SymbolKind::Area { len },
             None => SymbolKind::Unknown,
         },
+        What::Typed { element, array: false, .. } => SymbolKind::Cell(*element),
+        What::Typed { storage, element, array: true } => {
+            length(*storage).map_or(SymbolKind::Unknown, |len| SymbolKind::Array {
+                element: *element,
+                len: len / element.bytes(),
+            })
+        }
         What::Text { storage: Some(storage), .. } => length(*storage)
             .map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) }),
         What::Text { len, .. } => SymbolKind::Text { len: *len },
@@ -245,7 +313,7 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
         }
         What::Mechanism => SymbolKind::Mechanism,
         What::Procedure => SymbolKind::Procedure,
-        What::Macro => SymbolKind::Macro,
+        What::Macro | What::MacroWord => SymbolKind::Macro,
         What::Label | What::Unknown => SymbolKind::Unknown,
     }
 }
@@ -254,18 +322,23 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
 pub(crate) fn sites<'db>(db: &'db dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'db>>> {
     let mut sites: BTreeMap<SymbolKey, Vec<Site<'db>>> = BTreeMap::new();
     for part in &database::parts(db, project).parts {
-        let exports = database::section_exports(db, part.section);
-        for ((name, what), index) in exports.names.iter().zip(&exports.indices) {
-            let key = SymbolKey { scope: owner(part, what), name: name.clone() };
-            sites.entry(key).or_default().push(Site { section: part.section, index: *index });
+        for (part, exports, of) in all_exports(db, project, part) {
+            for ((name, what), index) in exports.names.iter().zip(&exports.indices) {
+                let key = SymbolKey { scope: owner(&part, what), name: name.clone() };
+                sites.entry(key).or_default().push(Site { section: part.section, of, index: *index });
+            }
         }
     }
     sites
 }
 
 /// A section's declarations with lengths and constants that need other sections filled in.
-pub(crate) fn resolved(db: &dyn Db, project: Project, section: Section<'_>) -> Declarations {
-    let mut declarations = database::section_declarations(db, section).clone();
+pub(crate) fn resolved(
+    db: &dyn Db,
+    project: Project,
+    section: Section<'_>,
+    mut declarations: Declarations,
+) -> Declarations {
     let mut value = |name: &str| constant(db, project, section, name);
     for (index, expr) in &declarations.expressions {
         let value = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
@@ -273,12 +346,12 @@ pub(crate) fn resolved(db: &dyn Db, project: Project, section: Section<'_>) -> D
             declared.what = What::Constant(value);
         }
     }
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         let len = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
         let Some(len) = len.filter(|len| (1..=super::collect::MAX_LENGTH).contains(len)) else { continue };
         let len = len as u32;
         if let Some(piece) = declarations.storage.get_mut(*storage as usize) {
-            piece.len = len + u32::from(*extra);
+            piece.len = counts.bytes(len);
         }
         if let Some(declared) = name.and_then(|name| declarations.names.get_mut(name as usize)) {
             match &mut declared.what {
@@ -353,12 +426,13 @@ pub(crate) fn inside_data(
         SymbolScope::System => {
             crate::catalogue::symbol(&symbol.name).and_then(|system| system_address(&system.kind))
         }
+        SymbolScope::Macro => None,
         SymbolScope::Global | SymbolScope::File(_) => layout.place(symbol).map(|placed| placed.addr),
     };
     // Without an address the layout failed, which is reported by itself.
     let Some(start) = start else { return true };
     let (low, high) = match symbol.scope {
-        SymbolScope::System => (0, technol_image::system::LEN),
+        SymbolScope::System | SymbolScope::Macro => (0, technol_image::system::LEN),
         SymbolScope::Global => (technol_image::system::LEN, layout.local_start()),
         SymbolScope::File(_) => (layout.local_start(), layout.local_start() + layout.local_len),
     };

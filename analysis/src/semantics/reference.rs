@@ -29,6 +29,8 @@ pub enum Referent {
     Symbol(SymbolKey),
     /// A label of the same section, by its key.
     Label(Arc<str>),
+    /// A parameter or T_LOCAL symbol of the macro that the section defines, by its key.
+    Formal(Arc<str>),
 }
 
 /// A use of a name.

@@ -116,6 +116,8 @@ pub struct Scope {
     pub globals: FxHashMap<Arc<str>, Symbol>,
     /// DATA_LOCAL names of each file, in execution order.
     pub locals: Vec<FxHashMap<Arc<str>, Symbol>>,
+    /// Words that call macros.
+    pub macros: FxHashMap<Arc<str>, Symbol>,
     /// Mechanisms in order of files and text; each needs an activation bit and a `name_LINE` WORD.
     pub mechanisms: Vec<Routine>,
     /// Procedures in order of files and text.

@@ -6,7 +6,7 @@ use super::suggest;
 use crate::catalogue::{self, EntryKind};
 use crate::database::{self, Db, Section, SourceFile};
 use crate::diagnostics::Finding;
-use crate::diagnostics::rules::structure as rules;
+use crate::diagnostics::rules::{macros, structure as rules};
 use crate::syntax::ast::{Columns, ExprKind, Line};
 use crate::syntax::section::SectionKind;
 
@@ -182,9 +182,15 @@ impl<'db> Check<'db> {
                 continue;
             }
             let name = section.name(self.db);
-            let shown = if name.is_empty() { end.clone() } else { format!("{end} {name}") };
-            let late = strays.iter().any(|s| s.keyword == end && (name.is_empty() || *s.name == **name));
-            let (rule, message) = if late {
+            // END_T_MACRO is followed by flags, not by the name.
+            let unnamed = name.is_empty() || kind == SectionKind::Macro;
+            let shown = if unnamed { end.clone() } else { format!("{end} {name}") };
+            let late = strays.iter().any(|s| s.keyword == end && (unnamed || *s.name == **name));
+            let (rule, message) = if late && kind == SectionKind::Macro {
+                let message =
+                    "another definition, DATA or a module begins before END_T_MACRO; close this macro first";
+                (&macros::MACRO_NESTED, message.to_string())
+            } else if late {
                 let message = format!("something else begins before {shown}; close {} first", opening(kind));
                 (&rules::NESTED_BLOCK, message)
             } else {
@@ -242,7 +248,9 @@ impl<'db> Check<'db> {
                 let name = section.name(self.db);
                 !section.closed(self.db)
                     && closing(section.kind(self.db)) == stray.keyword
-                    && (name.is_empty() || **name == *stray.name)
+                    && (name.is_empty()
+                        || section.kind(self.db) == SectionKind::Macro
+                        || **name == *stray.name)
             });
             let opener = opener_of(&stray.keyword);
             if explained || misspelled.iter().any(|m| m.keyword == opener) {

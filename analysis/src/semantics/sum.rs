@@ -7,7 +7,7 @@ use super::operands::{describe, integer};
 use super::program::width;
 use super::reference::ReferenceAccess;
 use super::scope::{Symbol, SymbolKind};
-use crate::diagnostics::rules::{names, operands as rules, syntax};
+use crate::diagnostics::rules::{memory, names, operands as rules, syntax};
 use crate::syntax::ast::{Expr, ExprKind, Name};
 
 /// Largest distance from a symbol in bytes, more than any memory has.
@@ -134,7 +134,18 @@ fn add(
             } else {
                 let number = integer(reader, index)?;
                 let size = match symbol.kind {
-                    SymbolKind::Array { element, .. } => element.bytes(),
+                    SymbolKind::Array { element, len } => {
+                        if !(0..i64::from(len)).contains(&number) {
+                            let message = format!(
+                                "{} has the elements 0 to {}, there is no {number}",
+                                name.text,
+                                len.saturating_sub(1)
+                            );
+                            reader.report(&memory::INDEX_OUTSIDE_ARRAY, index.columns.clone(), message);
+                            return None;
+                        }
+                        element.bytes()
+                    }
                     SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
                     _ => {
                         let message = format!(

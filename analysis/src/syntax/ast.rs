@@ -36,7 +36,12 @@ impl Name {
 /// What identifies a name: upper case, the first 31 characters (manual 3.3).
 #[must_use]
 pub fn key(text: &str) -> String {
-    text.chars().take(SIGNIFICANT).map(|c| c.to_ascii_uppercase()).collect()
+    // A T_LOCAL symbol of an expansion: what makes it unique stands behind the name and always counts.
+    let (name, mark) = match text.find("@@").filter(|at| text.len() > SIGNIFICANT && *at > 0) {
+        Some(at) => text.split_at(at),
+        None => (text, ""),
+    };
+    name.chars().take(SIGNIFICANT).chain(mark.chars()).map(|c| c.to_ascii_uppercase()).collect()
 }
 
 /// Number of significant characters of a name.

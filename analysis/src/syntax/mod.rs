@@ -20,3 +20,10 @@ pub use line::{ParsedLines, parse_lines};
 pub use lines::{SourceLine, lines};
 pub use split::split;
 pub use tree::{Parse, parse};
+
+/// The words of a line and what stands between them: kind and columns, covering the line.
+pub(crate) fn tokens(line: &str) -> Vec<(SyntaxKind, ast::Columns)> {
+    let mut tokens = Vec::new();
+    lexer::lex(line, &mut tokens);
+    tokens.into_iter().map(|token| (token.kind, token.columns())).collect()
+}

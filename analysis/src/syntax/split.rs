@@ -16,9 +16,15 @@ use super::section::{RawSection, SectionKind};
 #[must_use]
 pub fn split(text: &str) -> Vec<RawSection> {
     let mut cutter = Cutter::new();
+    let mut rest = text;
     for (number, line) in lines(text).enumerate() {
+        rest = &rest[line.text.len() + line.end.len()..];
         let own = match boundary(line.text) {
             None => cutter.innermost(),
+            // DATA instead of DATA_LOCAL in the body of a macro: one mistake, not the end of the macro.
+            Some(Boundary::Open(SectionKind::Data, _)) if cutter.in_macro() && macro_goes_on(rest) => {
+                cutter.innermost()
+            }
             Some(Boundary::Open(kind, name)) => cutter.open(kind, name),
             Some(Boundary::Close(closing)) => cutter.close(closing),
         };
@@ -28,6 +34,17 @@ pub fn split(text: &str) -> Vec<RawSection> {
         section.lines.push(number as u32);
     }
     cutter.sections
+}
+
+/// Whether the next line that opens or closes a macro or opens a module is END_T_MACRO. An answer of true is asked
+/// for again before that line at most once per DATA, and DATA in macros is rare.
+fn macro_goes_on(rest: &str) -> bool {
+    let next = lines(rest).find_map(|line| match boundary(line.text)? {
+        Boundary::Close(Closing::Macro) => Some(true),
+        Boundary::Open(SectionKind::Macro | SectionKind::Module(_), _) => Some(false),
+        _ => None,
+    });
+    next.unwrap_or(false)
 }
 
 /// What a line does to the sections.

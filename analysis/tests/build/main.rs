@@ -3,6 +3,7 @@
 mod debug_information;
 mod expressions;
 mod incremental;
+mod macros;
 mod operations;
 mod program;
 mod refusals;

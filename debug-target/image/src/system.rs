@@ -103,6 +103,8 @@ pub const ZMM1PI: BitRef = bit(BLOCK + 5, 0);
 pub const ZMSHPI: BitRef = bit(BLOCK + 6, 6);
 /// ZMSTPI: change bit of T.
 pub const ZMSTPI: BitRef = bit(BLOCK + 6, 7);
+/// ZMSSPI: change bit of S.
+pub const ZMSSPI: BitRef = bit(BLOCK + 7, 0);
 /// PB03 … PB20: BYTE cells of the command block; PBnn is at `PB00 + nn`. PB07..PB10 hold T (BCD, low byte
 /// first), PB05 H, PB06 the M function of group 2, PB11/PB12 the spindle voltage.
 pub const PB00: Addr = BLOCK + 0x10;

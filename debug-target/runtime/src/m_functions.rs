@@ -102,6 +102,7 @@ pub(crate) fn write_h(memory: &mut Memory, h: u8) {
 /// Writes the programmed spindle value.
 pub(crate) fn write_spindle(memory: &mut Memory, value: u16) {
     memory.set_word(system::PB00 + 11, value);
+    memory.set_flag(system::ZMSSPI, true);
 }
 
 /// Clears what holds for one block.
@@ -114,4 +115,5 @@ pub(crate) fn clear_one_block(memory: &mut Memory) {
     }
     memory.set_flag(system::ZMSHPI, false);
     memory.set_flag(system::ZMSTPI, false);
+    memory.set_flag(system::ZMSSPI, false);
 }

@@ -60,5 +60,6 @@ fn kind(kind: CompletionKind) -> CompletionItemKind {
         CompletionKind::Procedure => CompletionItemKind::FUNCTION,
         CompletionKind::Macro => CompletionItemKind::SNIPPET,
         CompletionKind::Label => CompletionItemKind::REFERENCE,
+        CompletionKind::Parameter => CompletionItemKind::VARIABLE,
     }
 }

@@ -8,6 +8,7 @@ mod bits;
 mod comparisons;
 mod data;
 mod lathe;
+mod macros;
 mod mechanisms;
 mod plc;
 mod time;

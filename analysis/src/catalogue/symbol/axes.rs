@@ -20,6 +20,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("BZH08PI"), Some("BZH08PI2")),
         direction: PlcToCnc,
         chapter: "8.1.4",
+        default: Some(true),
         summary: text("Motion enable by the program", "Povolení pohybu od programu"),
     },
     AxisBits {
@@ -29,6 +30,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("BZH08MAN"), Some("BZH08MAN2")),
         direction: PlcToCnc,
         chapter: "8.1.5",
+        default: None,
         summary: text("Motion enable for manual jog", "Povolení pohybu pro ruční pojezdy"),
     },
     AxisBits {
@@ -38,6 +40,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: CncToPlc,
         chapter: "8.1.6",
+        default: None,
         summary: text("Resulting motion enable", "Výsledné povolení pohybu"),
     },
     AxisBits {
@@ -47,6 +50,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("PB20PI"), Some("PB20PI2")),
         direction: CncToPlc,
         chapter: "8.1.7",
+        default: None,
         summary: text("Motion requested", "Požadavek na pohyb"),
     },
     AxisBits {
@@ -56,6 +60,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("PB20PIS"), None),
         direction: CncToPlc,
         chapter: "8.1.8",
+        default: None,
         summary: text("Direction of motion, 1 negative", "Směr pohybu, 1 záporný"),
     },
     AxisBits {
@@ -65,6 +70,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("VAZBAPI"), Some("VAZBAPI2")),
         direction: PlcToCnc,
         chapter: "8.1.9",
+        default: Some(true),
         summary: text("Position loop closed", "Uzavřená polohová vazba"),
     },
     AxisBits {
@@ -74,6 +80,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: (Some("POLOHV"), Some("POLOHVPI2")),
         direction: Both,
         chapter: "8.1.10",
+        default: None,
         summary: text("Positioning to the zero pulse", "Polohování na nulový pulz"),
     },
     AxisBits {
@@ -83,6 +90,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.11",
+        default: None,
         summary: text("Request for jog in positive direction", "Žádost o ruční pohyb v kladném směru"),
     },
     AxisBits {
@@ -92,6 +100,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.11",
+        default: None,
         summary: text("Request for jog in negative direction", "Žádost o ruční pohyb v záporném směru"),
     },
     AxisBits {
@@ -101,6 +110,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.23",
+        default: None,
         summary: text("Reference switch", "Referenční spínač"),
     },
     AxisBits {
@@ -110,6 +120,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.23",
+        default: None,
         summary: text("Reversing reference switch", "Reverzační referenční spínač"),
     },
     AxisBits {
@@ -119,6 +130,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.23",
+        default: None,
         summary: text("Slow-down switch of the reference run", "Zpomalovací spínač reference"),
     },
     AxisBits {
@@ -128,6 +140,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.24",
+        default: None,
         summary: text("Limit switch in positive direction", "Koncový spínač v kladném směru"),
     },
     AxisBits {
@@ -137,6 +150,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.24",
+        default: None,
         summary: text("Limit switch in negative direction", "Koncový spínač v záporném směru"),
     },
     AxisBits {
@@ -146,6 +160,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.24",
+        default: None,
         summary: text("Slow-down limit switch, first", "První zpomalovací koncový spínač"),
     },
     AxisBits {
@@ -155,6 +170,7 @@ pub(super) const FAMILIES: &[AxisBits] = &[
         cells: NO_CELLS,
         direction: PlcToCnc,
         chapter: "8.1.24",
+        default: None,
         summary: text("Slow-down limit switch, second", "Druhý zpomalovací koncový spínač"),
     },
 ];

@@ -122,7 +122,7 @@ const BITS: &[Bit] = &[
     (
         "START_SUSPEND",
         system::START_SUSPEND,
-        PlcToCnc,
+        Both,
         "8.1.13",
         text(
             "1 holds a start that was requested until the program lets it go.",
@@ -280,6 +280,13 @@ const BITS: &[Bit] = &[
         text("Function H was programmed in the block.", "V bloku byla programována funkce H."),
     ),
     (
+        "ZMSSPI",
+        system::ZMSSPI,
+        CncToPlc,
+        "12.2",
+        text("Function S was programmed in the block.", "V bloku byla programována funkce S."),
+    ),
+    (
         "ZMSTPI",
         system::ZMSTPI,
         CncToPlc,
@@ -291,6 +298,7 @@ const BITS: &[Bit] = &[
 /// BYTE cells of the command block: number, chapter, meaning.
 const COMMAND_BYTES: &[(u32, &str, Bilingual)] = &[
     (3, "8.2.5", text("M function of group 10, BCD.", "Funkce M skupiny 10 v kódu BCD.")),
+    (4, "12.3", text("Function P, BCD.", "Funkce P v kódu BCD.")),
     (5, "8.2.5", text("Function H, BCD.", "Funkce H v kódu BCD.")),
     (6, "8.2.5", text("M function of group 2 (spindle), BCD.", "Funkce M skupiny 2 (vřeteno) v kódu BCD.")),
     (7, "8.2.5", text("Function T, BCD, lowest two digits.", "Funkce T v kódu BCD, nejnižší dvě číslice.")),
@@ -343,21 +351,22 @@ const M_GROUPS: u8 = 14;
 /// Gears that M41 to M44 select.
 const GEARS: u8 = 4;
 
+/// Name, code, meaning without the full stop.
 const EVENTS: &[(&str, i64, Bilingual)] = &[
-    ("PLCEVENT_STOP_REQ", system::event::STOP_REQ, text("A stop was requested.", "Byl vyžádán stop.")),
+    ("PLCEVENT_STOP_REQ", system::event::STOP_REQ, text("A stop was requested", "Byl vyžádán stop")),
     (
         "PLCEVENT_STOP_EMERGENCY_REQ",
         system::event::STOP_EMERGENCY_REQ,
-        text("An emergency stop was requested.", "Byl vyžádán nouzový stop."),
+        text("An emergency stop was requested", "Byl vyžádán nouzový stop"),
     ),
-    ("PLCEVENT_STOP", system::event::STOP, text("The control has stopped.", "Systém se zastavil.")),
-    ("PLCEVENT_START", system::event::START, text("The control has started.", "Systém odstartoval.")),
+    ("PLCEVENT_STOP", system::event::STOP, text("The control has stopped", "Systém se zastavil")),
+    ("PLCEVENT_START", system::event::START, text("The control has started", "Systém odstartoval")),
     (
         "PLCEVENT_START_REQ",
         system::event::START_REQ,
         text(
-            "A start was requested; START_SUSPEND may hold it.",
-            "Byl vyžádán start; START_SUSPEND ho může pozdržet.",
+            "A start was requested; START_SUSPEND may hold it",
+            "Byl vyžádán start; START_SUSPEND ho může pozdržet",
         ),
     ),
 ];
@@ -433,11 +442,13 @@ pub(super) fn list(symbols: &mut Vec<SystemSymbol>) {
         "8.3.2",
         text("Number of prepared blocks.", "Počet připravených bloků."),
     ));
-    symbols.extend(
-        EVENTS.iter().map(|&(name, value, summary)| {
-            symbol(name, SystemKind::Constant(value), CncToPlc, "3.17", summary)
-        }),
-    );
+    symbols.extend(EVENTS.iter().map(|&(name, value, summary)| {
+        let summary = Bilingual {
+            en: generated(format!("{} (this implementation: {value}).", summary.en)),
+            cs: generated(format!("{} (tato implementace: {value}).", summary.cs)),
+        };
+        symbol(name, SystemKind::Constant(value), CncToPlc, "3.17", summary)
+    }));
 }
 
 /// The bit `ahead` places after `first`, which may lie in the next byte.

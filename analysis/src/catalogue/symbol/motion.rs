@@ -244,7 +244,7 @@ pub(super) const ROWS: &[Row] = &[
     (
         "SLS_REFER",
         WORD,
-        PlcToCnc,
+        Both,
         "8.1.23",
         text(
             "Enables the software limit switches, a bit an axis.",
@@ -260,6 +260,13 @@ pub(super) const ROWS: &[Row] = &[
             "Enables the non-linear corrections by controlling axis, a bit an axis.",
             "Povolení nelineárních korekcí podle řídicí osy, bit na osu.",
         ),
+    ),
+    (
+        "NELKOR_FLAG",
+        Shape::Alias,
+        PlcToCnc,
+        "23.2",
+        text("Another name of NlcAxisEnable.", "Jiný název buňky NlcAxisEnable."),
     ),
     (
         "NlcServoEnable",

@@ -310,8 +310,8 @@ pub(super) const ROWS: &[Row] = &[
         CncToPlc,
         "10.5",
         text(
-            "Position in ANALOG_CONNECTED: the input is mapped.",
-            "Pozice v ANALOG_CONNECTED: vstup je mapován.",
+            "Position in ANALOG_CONNECTED (this implementation's): the input is mapped.",
+            "Pozice v ANALOG_CONNECTED (tato implementace): vstup je mapován.",
         ),
     ),
     (
@@ -320,8 +320,8 @@ pub(super) const ROWS: &[Row] = &[
         CncToPlc,
         "10.5",
         text(
-            "Position in ANALOG_CONNECTED: the output is mapped.",
-            "Pozice v ANALOG_CONNECTED: výstup je mapován.",
+            "Position in ANALOG_CONNECTED (this implementation's): the output is mapped.",
+            "Pozice v ANALOG_CONNECTED (tato implementace): výstup je mapován.",
         ),
     ),
     (

@@ -98,7 +98,7 @@ const FAMILIES: &[Family] = &[
         first: 0,
         count: system::OUT_PORT_COUNT,
         addr: system::OUT_SHORTED,
-        direction: Direction::CncToPlc,
+        direction: Direction::Both,
         chapter: "9.3",
         summary: Bilingual {
             en: "Short-circuited bits of output port",

@@ -24,8 +24,13 @@ pub(super) enum Shape {
     BitOf(u8),
     /// A position without a cell.
     Formal(u8),
+    /// A member of a structure: offset in bytes, type and number of its elements. It takes no memory; what has
+    /// the structure is an `Area`.
+    Member(u32, Prefix, u32),
     /// A number.
     Constant(i64),
+    /// Another name of bytes of the array that came last: offset in bytes and type.
+    Within(u32, Prefix),
 }
 
 pub(super) const BYTE: Shape = Shape::Cell(Prefix::Byte);
@@ -50,7 +55,29 @@ pub(super) struct AxisBits {
     pub(super) direction: Direction,
     /// Manual chapter.
     pub(super) chapter: &'static str,
+    /// Value of every bit at power-on, where the manual tells it.
+    pub(super) default: Option<bool>,
     /// What the bit means; the axis is added.
+    pub(super) summary: Bilingual,
+}
+
+/// Symbols `before0after`, `before1after` … of one kind, one behind the other.
+pub(super) struct Numbered {
+    /// What stands before the number in the name.
+    pub(super) before: &'static str,
+    /// What stands after it.
+    pub(super) after: &'static str,
+    /// The first number.
+    pub(super) first: u32,
+    /// How many there are.
+    pub(super) count: u32,
+    /// `Bit`, `Cell`, or `Constant` with the value of the first.
+    pub(super) shape: Shape,
+    /// Who writes them.
+    pub(super) direction: Direction,
+    /// Manual chapter.
+    pub(super) chapter: &'static str,
+    /// What stands before the number in the meaning.
     pub(super) summary: Bilingual,
 }
 
@@ -69,10 +96,21 @@ impl Space {
         Space { next: system::FREE, open: None }
     }
 
+    /// Offsets in a structure instead of addresses.
+    pub(super) const fn of_structure() -> Space {
+        Space { next: 0, open: None }
+    }
+
+    /// The first byte not given away.
+    pub(super) const fn end(&self) -> Addr {
+        self.next
+    }
+
     /// Places the rows in order.
     pub(super) fn rows(&mut self, rows: &'static [Row], symbols: &mut Vec<SystemSymbol>) {
         let mut last = SystemKind::Constant(0);
         let mut cell = system::FREE;
+        let mut array = system::FREE;
         for &(spelling, shape, direction, chapter, summary) in rows {
             let kind = match shape {
                 Shape::Bit => self.bit(),
@@ -84,8 +122,13 @@ impl Space {
                 Shape::Alias => last,
                 Shape::BitOf(bit) => SystemKind::Bit { addr: cell, bit },
                 Shape::Formal(bit) => SystemKind::FormalBit { bit },
+                Shape::Member(offset, element, len) => SystemKind::Member { offset, element, len },
                 Shape::Constant(value) => SystemKind::Constant(value),
+                Shape::Within(offset, prefix) => SystemKind::Cell { addr: array + offset, prefix },
             };
+            if let SystemKind::Array { addr, .. } = kind {
+                array = addr;
+            }
             if let SystemKind::Cell { addr, .. } = kind {
                 cell = addr;
             }
@@ -114,7 +157,7 @@ impl Space {
             let (base, place) =
                 if index < FIRST_AXES { (first, index) } else { (others, index - FIRST_AXES) };
             let axis = axis_name(index);
-            symbols.push(symbol(
+            let bit = symbol(
                 generated(format!("{}{axis}{}", family.before, family.after)),
                 SystemKind::Bit { addr: base + place / 8, bit: (place % 8) as u8 },
                 family.direction,
@@ -122,6 +165,29 @@ impl Space {
                 Bilingual {
                     en: generated(format!("{}: axis {axis}.", family.summary.en)),
                     cs: generated(format!("{}: osa {axis}.", family.summary.cs)),
+                },
+            );
+            symbols.push(SystemSymbol { default: family.default.map(i64::from), ..bit });
+        }
+    }
+
+    /// Places the symbols of a numbered family.
+    pub(super) fn numbered(&mut self, family: &Numbered, symbols: &mut Vec<SystemSymbol>) {
+        self.open = None;
+        for number in family.first..family.first + family.count {
+            let kind = match family.shape {
+                Shape::Cell(prefix) => SystemKind::Cell { addr: self.bytes(prefix.bytes()), prefix },
+                Shape::Constant(value) => SystemKind::Constant(value + i64::from(number - family.first)),
+                _ => self.bit(),
+            };
+            symbols.push(symbol(
+                generated(format!("{}{number}{}", family.before, family.after)),
+                kind,
+                family.direction,
+                family.chapter,
+                Bilingual {
+                    en: generated(format!("{} {number}.", family.summary.en)),
+                    cs: generated(format!("{} {number}.", family.summary.cs)),
                 },
             ));
         }
@@ -157,7 +223,7 @@ pub(super) fn symbol(
     } else {
         spelling
     };
-    SystemSymbol { name, spelling, kind, direction, summary, chapter }
+    SystemSymbol { name, spelling, kind, direction, default: None, summary, chapter }
 }
 
 /// X, Y, Z, then the number of the axis.

@@ -1,7 +1,7 @@
 //! State of the control, its clock and the backed-up memory (manual 8.1.18 to 8.1.22, 8.3.6, 8.4.2, 8.4.5 and 8.4.7).
 
 use super::Direction::{Both, CncToPlc};
-use super::space::{BYTE, Row, Shape};
+use super::space::{BYTE, Numbered, Row, Shape};
 use crate::catalogue::pattern::text;
 
 /// In the order of their addresses.
@@ -169,77 +169,10 @@ pub(super) const ROWS: &[Row] = &[
         Shape::Constant(0),
         CncToPlc,
         "8.4.7",
-        text("LDR_LIC: the hardware key is connected.", "LDR_LIC: hardwarový klíč je připojen."),
-    ),
-    (
-        "FeaturePlc0",
-        Shape::Constant(1),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 0.", "LDR_LIC: licence PLC funkce 0."),
-    ),
-    (
-        "FeaturePlc1",
-        Shape::Constant(2),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 1.", "LDR_LIC: licence PLC funkce 1."),
-    ),
-    (
-        "FeaturePlc2",
-        Shape::Constant(3),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 2.", "LDR_LIC: licence PLC funkce 2."),
-    ),
-    (
-        "FeaturePlc3",
-        Shape::Constant(4),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 3.", "LDR_LIC: licence PLC funkce 3."),
-    ),
-    (
-        "FeaturePlc4",
-        Shape::Constant(5),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 4.", "LDR_LIC: licence PLC funkce 4."),
-    ),
-    (
-        "FeaturePlc5",
-        Shape::Constant(6),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 5.", "LDR_LIC: licence PLC funkce 5."),
-    ),
-    (
-        "FeaturePlc6",
-        Shape::Constant(7),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 6.", "LDR_LIC: licence PLC funkce 6."),
-    ),
-    (
-        "FeaturePlc7",
-        Shape::Constant(8),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 7.", "LDR_LIC: licence PLC funkce 7."),
-    ),
-    (
-        "FeaturePlc8",
-        Shape::Constant(9),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 8.", "LDR_LIC: licence PLC funkce 8."),
-    ),
-    (
-        "FeaturePlc9",
-        Shape::Constant(10),
-        CncToPlc,
-        "8.4.7",
-        text("LDR_LIC: licence of the PLC feature 9.", "LDR_LIC: licence PLC funkce 9."),
+        text(
+            "LDR_LIC: the hardware key is connected (this implementation: 0).",
+            "LDR_LIC: hardwarový klíč je připojen (tato implementace: 0).",
+        ),
     ),
     (
         "PLC_MEM_BACKUP",
@@ -252,3 +185,18 @@ pub(super) const ROWS: &[Row] = &[
         ),
     ),
 ];
+
+/// Licences of the program; the numbers are this implementation's.
+pub(super) const LICENCES: Numbered = Numbered {
+    before: "FeaturePlc",
+    after: "",
+    first: 0,
+    count: 10,
+    shape: Shape::Constant(1),
+    direction: CncToPlc,
+    chapter: "8.4.7",
+    summary: text(
+        "LDR_LIC (value chosen by this implementation): licence of PLC feature",
+        "LDR_LIC (hodnotu volí tato implementace): licence funkce PLC",
+    ),
+};

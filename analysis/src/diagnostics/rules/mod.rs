@@ -3,6 +3,8 @@
 pub mod build;
 pub mod declarations;
 pub mod equations;
+pub mod macros;
+pub mod memory;
 pub mod names;
 pub mod operands;
 pub mod project;
@@ -56,6 +58,7 @@ pub static RULES: &[&Rule] = &[
     &names::UNKNOWN_LABEL,
     &names::DUPLICATE_LABEL,
     &names::WRONG_SYMBOL,
+    &memory::ARRAY_OF_BITS,
     &operands::OPERAND_COUNT,
     &operands::OPERAND_KIND,
     &operands::UNTYPED_AREA,
@@ -72,6 +75,9 @@ pub static RULES: &[&Rule] = &[
     &operands::CONSTANT_DESTINATION,
     &operands::NEVER_EQUAL,
     &operands::STALE_DIVIDEND,
+    &memory::BAD_IDENTIFIER,
+    &memory::INDEX_OUTSIDE_ARRAY,
+    &memory::NO_ALTERNATIVE,
     &equations::POP_WITHOUT_PUSH,
     &equations::VALUE_LEFT_ON_STACK,
     &equations::STACK_TOO_DEEP,
@@ -96,6 +102,28 @@ pub static RULES: &[&Rule] = &[
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
     &build::NOT_TRANSLATABLE,
+    &macros::MACRO_ARGUMENTS,
+    &macros::MACRO_REDEFINED,
+    &macros::MACRO_USED_BEFORE,
+    &macros::MACRO_RECURSION,
+    &macros::MACRO_TOO_LARGE,
+    &macros::MACRO_NESTED,
+    &macros::UNKNOWN_PARAMETER,
+    &macros::MISSING_TMAC,
+    &macros::MACRO_DATA,
+    &macros::MACRO_BITS,
+    &macros::T_LOCAL_PLACE,
+    &macros::MACRO_FLAGS,
+    &macros::MACRO_FLAG_ORDER,
+    &macros::MACRO_FLAG_MISMATCH,
+    &macros::MACRO_BRACKETS,
+    &macros::MISSING_T_LOCAL,
+    &macros::UNUSED_T_LOCAL,
+    &macros::MACRO_HIDDEN,
+    &macros::APPENDED_UNKNOWN,
+    &macros::MACRO_STRUCTURE,
+    &macros::DUPLICATE_PARAMETER,
+    &macros::PARAMETER_BYPASSED,
 ];
 
 /// The rule with `code`, in any case.

@@ -26,6 +26,7 @@ pub(super) fn list(request: &Request<'_>, operand: &Operand, language: Language,
                 matches!(symbol.kind, SymbolKind::Constant(_)).then_some(1)
             });
         }
+        Part::Parameter => parameters(request, language, list, ""),
         Part::Typed(prefix) => {
             symbols(request, language, list, |symbol| behind_prefix(*prefix, &symbol.kind));
         }
@@ -48,6 +49,11 @@ fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mu
     }
     if kind == OperandKind::Label {
         labels(request, language, list);
+    }
+    if request.section.kind(request.db) == SectionKind::Macro {
+        let bare = catalogue::entry(&operand.operation.text).is_none_or(catalogue::Entry::is_assembler);
+        parameters(request, language, list, if bare { "" } else { "TMAC." });
+        local_symbols(request, language, list);
     }
     let own = own_name(request, operand);
     symbols(request, language, list, |symbol| {
@@ -192,13 +198,18 @@ fn own_name(request: &Request<'_>, operand: &Operand) -> Option<String> {
     operand.operation.text.eq_ignore_ascii_case(closes).then(|| request.section.name(request.db).to_string())
 }
 
+/// What predefined symbols are worse than the program's names, keywords and prefixes: there are more of them than an
+/// answer holds.
+const PREDEFINED: u8 = 4;
+
 /// Adds the visible symbols that `fit` takes: local ones, those of the project, predefined ones.
 fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl Fn(&Symbol) -> Option<u8>) {
     let scope = database::scope(request.db, request.project);
     let file = cursor::local_file(request.db, request.project, request.section);
     let locals = file.and_then(|file| scope.locals.get(usize::from(file)));
     for (key, symbol) in locals.into_iter().flatten().chain(&scope.globals) {
-        if let Some(fit) = fit(symbol).filter(|_| list.matches(key)) {
+        // T_LOCAL symbols of the calls of macros have no name that could be written.
+        if let Some(fit) = fit(symbol).filter(|_| list.matches(key) && !key.contains("@@")) {
             let name = cursor::spelling(request.db, request.project, &symbol.key);
             list.add(fit, candidate(symbol, name, describe::kind(symbol, language)));
         }
@@ -212,7 +223,7 @@ fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl
         let Some(symbol) = database::system_symbol(system.name).filter(|_| !shadowed) else { continue };
         if let Some(fit) = fit(&symbol) {
             let detail = system.summary.in_language(language).to_owned();
-            list.add(fit + 1, candidate(&symbol, system.name.to_owned(), detail));
+            list.add(PREDEFINED + fit, candidate(&symbol, system.name.to_owned(), detail));
         }
     }
 }
@@ -233,6 +244,38 @@ fn candidate(symbol: &Symbol, name: String, detail: String) -> Candidate {
         SymbolKind::Macro => CompletionKind::Macro,
     };
     Candidate { label: name.clone(), insert: name, kind, detail, page: Page::Symbol(symbol.key.clone()) }
+}
+
+/// The parameters of the macro around the position.
+fn parameters(request: &Request<'_>, language: Language, list: &mut List, prefix: &str) {
+    let detail = match language {
+        Language::En => "parameter of the macro",
+        Language::Cs => "parametr makra",
+    };
+    for name in &database::macro_definition(request.db, request.section).parameters {
+        formal(&format!("{prefix}{}", name.text), detail, list);
+    }
+}
+
+fn local_symbols(request: &Request<'_>, language: Language, list: &mut List) {
+    let detail = match language {
+        Language::En => "symbol of the macro",
+        Language::Cs => "symbol makra",
+    };
+    for (_, name) in &database::macro_definition(request.db, request.section).locals {
+        formal(&name.text, detail, list);
+    }
+}
+
+fn formal(word: &str, detail: &str, list: &mut List) {
+    let candidate = Candidate {
+        label: word.to_owned(),
+        insert: word.to_owned(),
+        kind: CompletionKind::Parameter,
+        detail: detail.to_owned(),
+        page: Page::None,
+    };
+    list.add(0, candidate);
 }
 
 fn keyword(word: &str, language: Language, list: &mut List) {
@@ -271,6 +314,9 @@ fn bits_of(request: &Request<'_>, key: &str) -> Vec<SymbolKey> {
     let Some(site) = cursor::sites(request.db, request.project, &symbol.key).first() else {
         return Vec::new();
     };
+    if site.of != database::SiteOf::Own {
+        return Vec::new();
+    }
     let names = &database::section_declarations(request.db, site.section).names;
     let Some(What::Cell { storage }) = names.get(site.index as usize).map(|d| &d.what) else {
         return Vec::new();

@@ -7,7 +7,6 @@ use crate::database;
 use crate::ide::cursor;
 use crate::ide::describe;
 use crate::semantics::place::Context;
-use crate::semantics::scope::SymbolKind;
 use crate::syntax::section::SectionKind;
 
 /// Instructions that may stand in the section, words that close it, and the project's own instructions.
@@ -20,8 +19,11 @@ pub(super) fn list(request: &Request<'_>, language: Language, list: &mut List) {
         }
     }
     let scope = database::scope(request.db, request.project);
-    for (key, symbol) in &scope.globals {
-        if symbol.kind == SymbolKind::Macro && list.matches(key) {
+    let table = database::macro_table(request.db, request.project);
+    let own = request.own_line();
+    for key in table.visible(request.section, own) {
+        let Some(symbol) = scope.macros.get(key) else { continue };
+        if list.matches(key) {
             let name = cursor::spelling(request.db, request.project, &symbol.key);
             let candidate = Candidate {
                 label: name.clone(),

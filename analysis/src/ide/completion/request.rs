@@ -4,6 +4,7 @@
 use crate::catalogue::{self, Prefix};
 use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::location::{Position, Span};
+use crate::semantics::macros::TMAC;
 use crate::syntax::ast::{Expr, ExprKind, Line, Name, SyntaxErrorKind};
 use crate::syntax::{self, parse_lines};
 
@@ -45,8 +46,18 @@ pub(super) enum Part {
     Index,
     /// Behind a type prefix and its dot.
     Typed(Prefix),
+    /// Behind `TMAC.` in the body of a macro.
+    Parameter,
     /// Behind the dot of an address; its name, when it is a plain one.
     Bit(Option<Name>),
+}
+
+impl Request<'_> {
+    /// Own line of the section.
+    pub(super) fn own_line(&self) -> u32 {
+        let line = self.replace.start.line;
+        self.section.lines(self.db).partition_point(|own| *own < line) as u32
+    }
 }
 
 impl<'db> Request<'db> {
@@ -145,6 +156,9 @@ fn operand(line: &Line, operation: &Name, head: &str) -> Option<Operand> {
             }
         }
         Some('.') => match open_dot(last?)? {
+            Expr { kind: ExprKind::Name(name), .. } if name.text.eq_ignore_ascii_case(TMAC) => {
+                Part::Parameter
+            }
             Expr { kind: ExprKind::Name(name), .. } => match catalogue::prefix(&name.text) {
                 Some(spelling) => Part::Typed(spelling.prefix),
                 None => Part::Bit(Some(name.clone())),

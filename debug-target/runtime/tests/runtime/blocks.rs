@@ -202,7 +202,9 @@ fn numbers_and_mode_are_in_their_cells() {
     let cells = [7, 8, 9, 10].map(|n| bench.byte(PB00 + n));
     assert_eq!(cells, [0x78, 0x56, 0x34, 0x12]);
     assert_eq!((bench.word(PB00 + 11), bench.byte(PB00 + 5)), (0x7FFF, 0x42));
-    assert!(bench.bit(system::ZMSTPI) && bench.bit(system::ZMSHPI) && bench.bit(system::G00PI));
+    for bit in [system::ZMSTPI, system::ZMSHPI, system::ZMSSPI, system::G00PI] {
+        assert!(bench.bit(bit), "{bit:?}");
+    }
     let modes = [system::AUTPI, system::CAPI, system::REFPI].map(|flag| bench.bit(flag));
     assert_eq!(modes, [false, false, true]);
 }
