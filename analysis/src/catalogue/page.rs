@@ -150,6 +150,7 @@ fn kind_of(kind: OperandKind, language: Language) -> String {
         OperandKind::Mechanism { .. } => say("mechanism", "mechanismus").to_owned(),
         OperandKind::Procedure { .. } => say("procedure", "procedura").to_owned(),
         OperandKind::NewName | OperandKind::NewBit => say("new name", "nové jméno").to_owned(),
+        OperandKind::Number { min, max } if min == max => format!("{} {min}", say("number", "číslo")),
         OperandKind::Number { min, max } => format!("{} {min} … {max}", say("number", "číslo")),
         OperandKind::NumberOf(numbers) => {
             let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();

@@ -60,6 +60,9 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
+    found.extend(
+        super::devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)),
+    );
     includes(db, project, section, found);
 }
 
@@ -97,6 +100,10 @@ fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Option<Finding> {
         return finding(&operands::ACCESS_OUTSIDE_DATA, message);
     }
     if !(0..i64::from(overrun.declared)).contains(&overrun.offset) {
+        return None;
+    }
+    if overrun.symbol.scope == SymbolScope::System {
+        // Predefined cells belong together in their order: WORD.PB11 is PB11 with PB12.
         return None;
     }
     let bytes = |n: u32| if n == 1 { "1 byte".to_string() } else { format!("{n} bytes") };
