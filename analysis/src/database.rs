@@ -369,6 +369,22 @@ pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section
     semantics::code::analyse(db, project, section)
 }
 
+/// What is done with devices.
+pub type Devices = std::collections::BTreeSet<semantics::analysis::Device>;
+
+/// What a section does with devices; without positions, so that it stays equal while its other lines change.
+#[salsa::tracked]
+pub fn section_devices<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> Devices {
+    section_analysis(db, project, section).devices.iter().map(|used| used.device).collect()
+}
+
+/// What the project does with devices.
+#[salsa::tracked]
+pub fn project_devices(db: &dyn Db, project: Project) -> Devices {
+    let parts = &parts(db, project).parts;
+    parts.iter().flat_map(|part| section_devices(db, project, part.section)).copied().collect()
+}
+
 /// All mistakes of a file, with absolute positions, sorted.
 #[salsa::tracked]
 pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {

@@ -15,15 +15,19 @@ pub mod symbol;
 mod assembler;
 mod chapter10;
 mod chapter12;
+mod chapter13;
 mod chapter14;
 mod chapter16;
 mod chapter17;
+mod chapter17_cells;
 mod chapter18;
-mod chapter20;
+mod chapter19;
+mod chapter19_axes;
 mod chapter22;
 mod chapter23;
 mod chapter26;
 mod chapter27;
+mod chapter27_words;
 mod chapter3_arithmetic;
 mod chapter3_bits;
 mod chapter3_compare;
@@ -44,6 +48,7 @@ mod chapter9;
 mod pattern;
 #[cfg(test)]
 mod tests;
+mod transfer;
 
 pub use cell_type::{CELL_TYPES, CellType, cell_type};
 pub use entry::{
@@ -152,15 +157,19 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter9::ENTRIES,
     chapter10::ENTRIES,
     chapter12::ENTRIES,
+    chapter13::ENTRIES,
     chapter14::ENTRIES,
     chapter16::ENTRIES,
+    chapter17_cells::ENTRIES,
     chapter17::ENTRIES,
     chapter18::ENTRIES,
-    chapter20::ENTRIES,
+    chapter19::ENTRIES,
+    chapter19_axes::ENTRIES,
     chapter22::ENTRIES,
     chapter23::ENTRIES,
     chapter26::ENTRIES,
     chapter27::ENTRIES,
+    chapter27_words::ENTRIES,
     assembler::ENTRIES,
 ];
 

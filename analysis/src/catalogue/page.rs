@@ -150,7 +150,16 @@ fn kind_of(kind: OperandKind, language: Language) -> String {
         OperandKind::Mechanism { .. } => say("mechanism", "mechanismus").to_owned(),
         OperandKind::Procedure { .. } => say("procedure", "procedura").to_owned(),
         OperandKind::NewName | OperandKind::NewBit => say("new name", "nové jméno").to_owned(),
+        OperandKind::Number { min, max } if min == max => format!("{} {min}", say("number", "číslo")),
         OperandKind::Number { min, max } => format!("{} {min} … {max}", say("number", "číslo")),
+        OperandKind::NumberOf(numbers) => {
+            let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+            format!("{} {}", say("number", "číslo"), numbers.join(", "))
+        }
+        OperandKind::RealConstant => {
+            say("number with a decimal point", "číslo s desetinnou tečkou").to_owned()
+        }
+        OperandKind::BitPosition => say("position of a bit", "pozice bitu").to_owned(),
         OperandKind::Constant => say("constant", "konstanta").to_owned(),
         OperandKind::Keyword(words) => quoted(words),
         OperandKind::KeywordOrNumber(words, min, max) => {

@@ -127,6 +127,12 @@ impl OperandSpec {
         self
     }
 
+    /// The same operand, which must be given, be it as `-`.
+    pub(super) const fn required(mut self) -> OperandSpec {
+        self.optional = false;
+        self
+    }
+
     /// The same operand, comma separated any number of times.
     pub(super) const fn repeated(mut self) -> OperandSpec {
         self.repeatable = true;
@@ -170,6 +176,29 @@ pub(super) const STORED: OperandKind = OperandKind::Data {
     declared: CELLS,
     negatable: false,
 };
+/// The number of an NC axis.
+pub(super) const AXIS: OperandSpec = operand(
+    "axis",
+    OperandKind::Number { min: 1, max: 16 },
+    "Number of the NC axis, 1 to 16",
+    "Číslo NC osy 1 až 16",
+);
+/// An unsigned byte by value: number, EQUI constant or BYTE cell.
+pub(super) const BYTE_VALUE: OperandKind =
+    OperandKind::OneOf(&[OperandKind::Number { min: 0, max: 0xFF }, BYTE_CELL]);
+/// An unsigned word by value: number, EQUI constant or WORD cell.
+pub(super) const WORD_VALUE: OperandKind =
+    OperandKind::OneOf(&[OperandKind::Number { min: 0, max: 0xFFFF }, WORD_CELL]);
+/// A BYTE cell that is read.
+pub(super) const BYTE_CELL: OperandKind =
+    source(PrefixSet::of(&[Prefix::Byte]), PrefixSet::of(&[Prefix::Byte]));
+/// A WORD cell that is read.
+pub(super) const WORD_CELL: OperandKind =
+    source(PrefixSet::of(&[Prefix::Word]), PrefixSet::of(&[Prefix::Word]));
+/// A DWORD cell that is read.
+pub(super) const DWORD_CELL: OperandKind =
+    source(PrefixSet::of(&[Prefix::Dwrd]), PrefixSet::of(&[Prefix::Dwrd]));
+
 /// A BYTE or WORD counter that is read and written.
 pub(super) const COUNTER: OperandKind = OperandKind::Data {
     access: Access::ReadWrite,

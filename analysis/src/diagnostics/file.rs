@@ -61,6 +61,9 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
+    found.extend(
+        super::devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)),
+    );
     includes(db, project, section, found);
 }
 

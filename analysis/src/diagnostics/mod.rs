@@ -4,6 +4,7 @@
 //! leaves it equal. At the outer edge it becomes a [`Diagnostic`] with absolute lines and the severity the
 //! project's `[lints]` ask for.
 
+mod devices;
 pub(crate) mod file;
 pub mod rules;
 mod syntax;

@@ -129,7 +129,13 @@ fn words(kind: OperandKind) -> String {
         OperandKind::Declares(NewCell::Bit) => "the name of a new bit".to_string(),
         OperandKind::Declares(_) => "the name of a new cell".to_string(),
         OperandKind::Number { min, max } => format!("a number {min} to {max}"),
+        OperandKind::NumberOf(numbers) => {
+            let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+            format!("a number out of {}", numbers.join(", "))
+        }
         OperandKind::Constant => "a constant".to_string(),
+        OperandKind::RealConstant => "a number with a decimal point".to_string(),
+        OperandKind::BitPosition => "the name of a bit".to_string(),
         OperandKind::Keyword(words) => words.join(", "),
         OperandKind::KeywordOrNumber(words, min, max) => {
             format!("{}, a number {min} to {max}", words.join(", "))

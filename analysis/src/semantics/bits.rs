@@ -4,11 +4,12 @@ use super::block;
 use super::code::CodeReader;
 use super::hir::{Address, Operand};
 use super::operands::{access, address_of, describe};
+use super::reference::ReferenceAccess;
 use super::scope::{Symbol, SymbolKind};
 use super::sum::{shape, sum};
 use crate::catalogue::Access;
 use crate::diagnostics::rules::{names, operands as rules};
-use crate::syntax::ast::{Expr, Name};
+use crate::syntax::ast::{Expr, ExprKind, Name};
 
 /// What a bit operand takes.
 pub(super) struct BitRules {
@@ -66,6 +67,21 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
     }
     let address = Address { symbol: base.key, offset: sum.offset, indexed: sum.indexed };
     Some(Operand::Bit { address, bit, negated })
+}
+
+/// A name that gives the position of a bit; the byte comes from another operand.
+pub(super) fn position(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
+    let ExprKind::Name(name) = &expr.kind else {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "the name of a bit is needed here");
+        return None;
+    };
+    let symbol = reader.resolve(name, ReferenceAccess::Read)?;
+    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = symbol.kind else {
+        let message = format!("{} is {}, a bit is needed here", name.text, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
+        return None;
+    };
+    Some(Operand::Bit { address: address_of(&symbol), bit, negated: false })
 }
 
 fn plain_bit(reader: &mut CodeReader<'_>, name: &Name, symbol: &Symbol, negated: bool) -> Option<Operand> {

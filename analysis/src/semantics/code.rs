@@ -1,7 +1,7 @@
 //! The code of one section: walks its lines from top to bottom, looks up operations, checks their place, resolves
 //! their operands and hands them to equations and control flow.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::analysis::{Overrun, SectionAnalysis};
@@ -11,7 +11,7 @@ use super::macros;
 use super::macros::expand::{Call, Expansion};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
-use super::{flow, moves, operands, place, suggest};
+use super::{devices, flow, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
 use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
@@ -396,6 +396,13 @@ impl<'db> CodeReader<'db> {
             let labels = std::mem::take(&mut self.labels);
             let found = flow::check(&self.out.body, &self.parsed.lines, &labels, self.unreadable);
             self.out.findings.extend(found);
+            let devices = devices::check(&self.out.body, &self.parsed.lines, self.section.kind(self.db));
+            // What an instruction with a mistake means is not known.
+            let wrong: BTreeSet<u32> =
+                self.out.findings.iter().filter(|f| f.blocks()).map(|f| f.line).collect();
+            self.out.findings.extend(devices.findings.into_iter().filter(|f| !wrong.contains(&f.line)));
+            self.out.records = devices.records;
+            self.out.devices = devices.uses;
         }
         let blocked = self.out.findings.iter().any(Finding::blocks);
         self.out.body.complete &= !blocked && !self.unreadable && self.section.closed(self.db);

@@ -317,6 +317,18 @@ pub(super) fn constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Opera
     integer(reader, expr).map(|value| Operand::Integer { value, width: Width::DWord })
 }
 
+/// A number with a decimal point.
+pub(super) fn real_constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
+    match constant(reader, expr)? {
+        Operand::Integer { value, .. } => {
+            let message = format!("a real number is needed here; write {value}.0");
+            reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+            None
+        }
+        real => Some(real),
+    }
+}
+
 /// The time of TIM and TEX: number, constant, BYTE or WORD cell, `(cell+n)`.
 pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Expr) -> Option<Operand> {
     let shape = shape(reader, expr)?;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind};
-use crate::catalogue::Effect;
+use crate::catalogue::{Effect, Equation};
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::sequences as rules;
 use crate::syntax::ast::{Columns, Line};
@@ -102,7 +102,9 @@ impl Graph {
                 graph.next[index].push(index + 1);
                 continue;
             };
-            graph.waits[index] = code.entry.ex_type && code.entry.name != "BEX";
+            // Instructions of several cycles (PLCT_, ECAT_) leave the waiting to the EX0 behind them.
+            graph.waits[index] =
+                code.entry.ex_type && code.entry.equation == Equation::Terminal && code.entry.name != "BEX";
             let jumps = matches!(code.entry.name, "JUM" | "JL0" | "JL1") || is_raster(code);
             if jumps {
                 let target = *targets.get(label_of(code)?)?;
@@ -129,10 +131,11 @@ fn loops(
         let leaves =
             circle.iter().flat_map(|node| &graph.next[*node]).any(|next| circle.binary_search(next).is_err());
         let works = circle.iter().filter_map(|node| instruction(&body.statements[*node])).any(|code| {
-            code.entry
-                .writes
-                .iter()
-                .any(|effect| matches!(effect, Effect::Memory | Effect::Dr | Effect::Dr64 | Effect::DrReal))
+            // What takes several cycles does not go on within this one.
+            !code.entry.ex_type
+                && code.entry.writes.iter().any(|effect| {
+                    matches!(effect, Effect::Memory | Effect::Dr | Effect::Dr64 | Effect::DrReal)
+                })
         });
         let head = circle.iter().find_map(|node| body.statements[*node].labels.first());
         let Some((name, (line, columns))) = head.and_then(|label| labels.get_key_value(label)) else {

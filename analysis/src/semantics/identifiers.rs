@@ -178,9 +178,8 @@ fn count_names(reader: &mut CodeReader<'_>, count: &Expr) -> Option<()> {
             return None;
         }
     }
-    let value = expr.value(&mut |name| {
-        super::program::constant(reader.db, reader.project, reader.section, name)
-    });
+    let value =
+        expr.value(&mut |name| super::program::constant(reader.db, reader.project, reader.section, name));
     if !matches!(value, Ok(1..=super::collect::MAX_LENGTH)) {
         let message = format!("the number of elements is not within 1 and {}", super::collect::MAX_LENGTH);
         reader.report(&declarations::BAD_LENGTH, count.columns.clone(), message);
@@ -221,11 +220,8 @@ pub(super) fn element(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operan
         return None;
     };
     if !is_logical(reader, &symbol.key) {
-        let message = format!(
-            "{} is {}, not declared by DEF_IN or DEF_OUT",
-            symbol.key.name,
-            describe(&symbol.kind)
-        );
+        let message =
+            format!("{} is {}, not declared by DEF_IN or DEF_OUT", symbol.key.name, describe(&symbol.kind));
         reader.report_symbol(&names::WRONG_SYMBOL, expr.columns.clone(), message, &symbol.key);
         return None;
     }

@@ -3,7 +3,7 @@
 //! `collect` reads what a section declares, `program` joins that to the scope of the project, `code` walks the lines
 //! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `sum`,
 //! `bits`, `data` and `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
-//! files.
+//! files, `devices` at uses of tables, buses and axes that hardly do what was meant.
 
 pub mod analysis;
 pub(crate) mod code;
@@ -27,6 +27,7 @@ mod block;
 mod calls;
 mod constants;
 mod data;
+mod devices;
 mod equations;
 mod flow;
 mod identifiers;

@@ -274,7 +274,10 @@ pub(super) fn of_kind(
             Some(Operand::Procedure(symbol))
         }
         OperandKind::Number { min, max } => number(reader, expr, min, max),
+        OperandKind::NumberOf(numbers) => number_of(reader, expr, numbers),
         OperandKind::Constant => data::constant(reader, expr),
+        OperandKind::RealConstant => data::real_constant(reader, expr),
+        OperandKind::BitPosition => bits::position(reader, expr),
         OperandKind::Keyword(words) => keyword(reader, expr, words),
         OperandKind::KeywordOrNumber(words, min, max) => match &expr.kind {
             ExprKind::Name(name) if words.iter().any(|word| word.eq_ignore_ascii_case(&name.text)) => {
@@ -350,6 +353,18 @@ fn number(reader: &mut CodeReader<'_>, expr: &Expr, min: i64, max: i64) -> Optio
         (0, 1) => format!("{value} cannot stand here, only 0 or 1"),
         _ => format!("{value} is not within {min} and {max}"),
     };
+    reader.report(&rules::NUMBER_OUT_OF_RANGE, expr.columns.clone(), message);
+    None
+}
+
+/// An integer constant out of a list.
+fn number_of(reader: &mut CodeReader<'_>, expr: &Expr, numbers: &[i64]) -> Option<Operand> {
+    let value = integer(reader, expr)?;
+    if numbers.contains(&value) {
+        return Some(Operand::Integer { value, width: Width::DWord });
+    }
+    let known: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    let message = format!("{value} cannot stand here, only {}", known.join(", "));
     reader.report(&rules::NUMBER_OUT_OF_RANGE, expr.columns.clone(), message);
     None
 }

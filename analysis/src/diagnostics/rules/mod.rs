@@ -3,6 +3,7 @@
 pub mod build;
 pub mod declarations;
 pub mod equations;
+pub mod lints;
 pub mod macros;
 pub mod memory;
 pub mod names;
@@ -127,6 +128,19 @@ pub static RULES: &[&Rule] = &[
     &macros::MACRO_STRUCTURE,
     &macros::DUPLICATE_PARAMETER,
     &macros::PARAMETER_BYPASSED,
+    &lints::RECORD_OF_ONE_BYTE,
+    &lints::RESULT_NOT_AWAITED,
+    &lints::JUMP_DECIDED_BY_WAIT,
+    &lints::ERROR_NOT_TESTED,
+    &lints::AXIS_LEFT_OUT,
+    &lints::PORT_IN_A_CELL,
+    &lints::STATE_WITHOUT_TARGET,
+    &lints::RAMP_RUNS_ONCE,
+    &lints::BUFFER_TOO_SHORT,
+    &lints::REGULATOR_IN_CLOSED_LOOP,
+    &lints::POSITIONING_INCOMPLETE,
+    &lints::ANALOG_WITHOUT_PORT,
+    &lints::SIMULATED_SPINDLE_SWITCHED,
 ];
 
 /// The rule with `code`, in any case.

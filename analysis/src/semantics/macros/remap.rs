@@ -68,6 +68,16 @@ pub(crate) fn analysis(expansion: &Expansion<'_>, found: SectionAnalysis) -> Sec
         used.line = own(used.line);
         mapped.identifiers.push(used);
     }
+    for mut record in found.records {
+        record.columns = expansion.shown(record.line, &record.columns);
+        record.line = own(record.line);
+        mapped.records.push(record);
+    }
+    for mut used in found.devices {
+        used.columns = expansion.shown(used.line, &used.columns);
+        used.line = own(used.line);
+        mapped.devices.push(used);
+    }
     for (key, line, columns) in found.calls {
         let columns = expansion.shown(line, &columns);
         mapped.calls.push((key, own(line), columns));
