@@ -1,8 +1,8 @@
 //! Chapter 14: messages of the PLC program.
 
-use super::entry::{Effect, Entry, Equation, OperandKind, OperandSpec, Place};
+use super::entry::{Effect, Entry, Equation, OperandKind, OperandSpec, Place, Prefix, PrefixSet};
 use super::pattern::{
-    ANY_OPERANDS, INSTRUCTION, MESSAGE, MESSAGE_VALUE, UNMODELLED, example, form, operand, text,
+    INSTRUCTION, MESSAGE, MESSAGE_VALUE, NAMED_BIT, UNMODELLED, example, form, operand, source, text,
 };
 
 const ERROR: OperandSpec = operand(
@@ -53,6 +53,30 @@ const PAR3: OperandSpec = operand(
 )
 .or_dash()
 .or_nothing();
+
+/// EDEF: what begins a message in bits 0 and 1, what ends it in bits 2 and 3; never both edges.
+const EDGES: &[i64] = &[0b0000, 0b0001, 0b0010, 0b0100, 0b0101, 0b0110, 0b1000, 0b1001, 0b1010];
+
+const fn watched(name: &'static str, en: &'static str, cs: &'static str) -> OperandSpec {
+    let cell = source(PrefixSet::of(&[Prefix::Dwrd]), PrefixSet::of(&[Prefix::Dwrd]));
+    operand(name, cell, en, cs).or_dash().or_nothing()
+}
+
+const WATCHED1: OperandSpec = watched(
+    "par1",
+    "DWORD cell with value 1 for the text, read when the message comes",
+    "Buňka DWORD s hodnotou 1 do textu, čte se při vydání hlášení",
+);
+const WATCHED2: OperandSpec = watched(
+    "par2",
+    "DWORD cell with value 2 for the text, read when the message comes",
+    "Buňka DWORD s hodnotou 2 do textu, čte se při vydání hlášení",
+);
+const WATCHED3: OperandSpec = watched(
+    "par3",
+    "DWORD cell with value 3 for the text, read when the message comes",
+    "Buňka DWORD s hodnotou 3 do textu, čte se při vydání hlášení",
+);
 
 /// The entries, in manual order.
 pub(super) static ENTRIES: &[Entry] = &[
@@ -155,8 +179,43 @@ pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "EDEF",
         chapter: "14.3",
-        forms: &[form("EDEF [cell], bit, error, [subid], mode, [par1], [par2], [par3]")],
-        operands: ANY_OPERANDS,
+        forms: &[
+            form("EDEF [cell], bit, error, [subid], mode, [par1], [par2], [par3]"),
+            form("EDEF -, bit, error, -, mode"),
+        ],
+        operands: &[
+            operand(
+                "cell",
+                source(PrefixSet::of(&[Prefix::Byte]), PrefixSet::of(&[Prefix::Byte])),
+                "BYTE cell in which the bit lies, with an offset `+n` if needed; `-` takes the byte of the bit itself",
+                "Buňka BYTE, ve které bit leží, případně s posunem `+n`; `-` bere bajt samotného bitu",
+            )
+            .or_dash(),
+            operand(
+                "bit",
+                NAMED_BIT,
+                "Bit whose edges are watched, declared by DFM, MAP_IN or DEF_IN",
+                "Bit, jehož hrany se sledují, deklarovaný pomocí DFM, MAP_IN nebo DEF_IN",
+            ),
+            operand(
+                "error",
+                OperandKind::Value(MESSAGE),
+                "Number of the message: WORD cell or constant",
+                "Číslo hlášení: buňka WORD nebo konstanta",
+            ),
+            SUBID.required(),
+            operand(
+                "mode",
+                OperandKind::NumberOf(EDGES),
+                "Bits 0 and 1 say what begins the message, bits 2 and 3 what ends it: 00b nothing, 01b the rising \
+                 edge, 10b the falling edge",
+                "Bity 0 a 1 určují, co hlášení začíná, bity 2 a 3, co ho končí: 00b nic, 01b náběžná hrana, 10b \
+                 sestupná hrana",
+            ),
+            WATCHED1,
+            WATCHED2,
+            WATCHED3,
+        ],
         place: Place::Init,
         reads: &[Effect::Memory],
         writes: &[Effect::Memory],
@@ -164,6 +223,47 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Binds a message to the edges of a bit; the control then reports it by itself.",
             "Naváže hlášení na hrany bitu; systém je pak vydává sám.",
         ),
+        description: text(
+            "Executed once, in MODULE_INIT of any file, it only announces the binding. The control then looks at \
+             the bit after every MODULE_MAIN and reports the message when the chosen edge comes, with the numbers, \
+             texts and parameters of ESET; a bit that is 1 already when the program starts gives no message (this \
+             implementation).\n\n\
+             `0001b` reports a transient message on the rising edge, `0010b` on the falling one; `1001b` shows a \
+             persistent message while the bit is 1. Both edges in one pair, 11b, is an error (this \
+             implementation). `subid` is fixed here; `par1` to `par3` are read when the message comes. The \
+             procedure _ON_ESET is not called (this implementation). RLO and DR stay.",
+            "Provede se jednou, v modulu MODULE_INIT kteréhokoli souboru, a vazbu jen ohlásí. Systém pak sleduje bit \
+             po každém MODULE_MAIN, a když přijde zvolená hrana, vydá hlášení s čísly, texty a parametry jako u \
+             ESET; bit, který je 1 už při startu programu, hlášení nevyvolá (tato implementace).\n\n\
+             `0001b` vydá přechodné hlášení na náběžnou hranu, `0010b` na sestupnou; `1001b` zobrazuje trvalé \
+             hlášení, dokud je bit 1. Obě hrany v jedné dvojici, 11b, jsou chyba (tato implementace). `subid` se \
+             určí zde, `par1` až `par3` se čtou, až když hlášení přijde. Procedura _ON_ESET se nevolá (tato \
+             implementace). RLO ani DR se nemění.",
+        ),
+        examples: &[
+            example(
+                concat!(
+                    "MODULE_INIT\n",
+                    "        EDEF -,AIR_LOW,ERR_AIR,-,1001b\n",
+                    "        EDEF ALARMS+1,DOOR,ERR_DOOR,-,0001b\n",
+                    "MODULE_INIT_END"
+                ),
+                "ERR_AIR is shown as long as AIR_LOW is 1; ERR_DOOR comes when the bit at the place of DOOR rises in \
+                 the byte behind ALARMS.",
+                "ERR_AIR se zobrazuje, dokud je AIR_LOW 1; ERR_DOOR se vydá, když v bajtu za ALARMS přejde na 1 bit \
+                 na pozici DOOR.",
+            ),
+            example(
+                concat!(
+                    "MODULE_INIT\n",
+                    "        EDEF -,OIL_OK,ERR_OIL,-,0010b,TOOL\n",
+                    "MODULE_INIT_END"
+                ),
+                "A message with the number of the tool when the oil pressure is lost.",
+                "Hlášení s číslem nástroje při ztrátě tlaku oleje.",
+            ),
+        ],
+        related: &["ESET", "ESET1", "MAP_IN", "EDGE_H"],
         ..UNMODELLED
     },
 ];

@@ -83,6 +83,8 @@ pub enum OperandKind {
         /// `ADR.bit` addressing (manual 3.5).
         extended: bool,
     },
+    /// A name that gives the position of a bit in a byte: a bit, or a bit position without a cell of its own.
+    BitPosition,
     /// A data cell (or, when `prefixes` holds CNST, a constant) at its declared or prefixed type.
     Data {
         /// Access.
@@ -123,8 +125,12 @@ pub enum OperandKind {
         /// Largest.
         max: i64,
     },
+    /// One of these integers (number, EQUI name or constant expression).
+    NumberOf(&'static [i64]),
     /// An integer or real constant of any size.
     Constant,
+    /// A real constant: a number with a decimal point.
+    RealConstant,
     /// One of these keywords.
     Keyword(&'static [&'static str]),
     /// A keyword, or a number within the bounds (CONDR).
@@ -147,6 +153,17 @@ pub enum OperandKind {
     OneOf(&'static [OperandKind]),
     /// Anything: checked only for well-formedness (operands of 80386 instructions).
     Any,
+}
+
+impl Entry {
+    /// The memory its first operand declares.
+    #[must_use]
+    pub fn declares(&self) -> Option<NewCell> {
+        match self.operands.first()?.kind {
+            OperandKind::Declares(new) => Some(new),
+            _ => None,
+        }
+    }
 }
 
 /// What an identifier names in the configuration files of the project.
@@ -254,6 +271,8 @@ pub enum Place {
     Anywhere,
     /// In DATA or DATA_LOCAL.
     Data,
+    /// In DATA, in DATA_LOCAL or between modules (STRUC).
+    DataOrFileLevel,
     /// Between modules.
     FileLevel,
     /// Between modules or inside any module (DATA_LOCAL).
@@ -300,7 +319,14 @@ pub enum EntryKind {
     EventProcedure,
 }
 
-/// An example of the help.
+/// An example of the help: a fragment that checks clean where it belongs.
+///
+/// Top-level sections (`DATA` … `DATA_END`, `MODULE_…` … `MODULE_…_END`) stand for those of a program. Of the lines
+/// outside of them declarations go into DATA, MECH_BEGIN … MECH_END and PROC_BEGIN … PROC_END into MODULE_MAIN;
+/// the rest is code of a mechanism when an instruction in it needs one, else of MODULE_MAIN. Names that an example
+/// does not declare are those of the plant of the help, `tests/fixtures/catalogue/plant.plc`, so that a name means
+/// the same thing on every page; labels that are not there follow the fragment. `tests/catalogue_examples.rs` checks
+/// each one in such a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Example {
     /// Source lines.

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 pub mod configuration;
+pub mod cell_type;
 pub mod entry;
 pub mod logical_elements;
 pub mod page;
@@ -27,6 +28,7 @@ mod chapter22;
 mod chapter23;
 mod chapter26;
 mod chapter27;
+mod chapter27_words;
 mod chapter3_arithmetic;
 mod chapter3_bits;
 mod chapter3_compare;
@@ -49,12 +51,13 @@ mod pattern;
 mod tests;
 mod transfer;
 
+pub use cell_type::{CELL_TYPES, CellType, cell_type};
 pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{
-    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol, symbols,
     unit_member, unit_members,
 };
 
@@ -167,6 +170,7 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter23::ENTRIES,
     chapter26::ENTRIES,
     chapter27::ENTRIES,
+    chapter27_words::ENTRIES,
     assembler::ENTRIES,
 ];
 

@@ -159,6 +159,14 @@ fn kind_of(kind: OperandKind, language: Language) -> String {
         OperandKind::NewName | OperandKind::NewBit => say("new name", "nové jméno").to_owned(),
         OperandKind::Number { min, max } if min == max => format!("{} {min}", say("number", "číslo")),
         OperandKind::Number { min, max } => format!("{} {min} … {max}", say("number", "číslo")),
+        OperandKind::NumberOf(numbers) => {
+            let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+            format!("{} {}", say("number", "číslo"), numbers.join(", "))
+        }
+        OperandKind::RealConstant => {
+            say("number with a decimal point", "číslo s desetinnou tečkou").to_owned()
+        }
+        OperandKind::BitPosition => say("position of a bit", "pozice bitu").to_owned(),
         OperandKind::Constant => say("constant", "konstanta").to_owned(),
         OperandKind::Keyword(words) => quoted(words),
         OperandKind::KeywordOrNumber(words, min, max) => {
@@ -274,6 +282,9 @@ const fn place_name(place: Place, language: Language) -> &'static str {
         }
         Place::Anywhere => text("Anywhere in a file", "Kdekoli v souboru"),
         Place::Data => text("In DATA and DATA_LOCAL", "V DATA a DATA_LOCAL"),
+        Place::DataOrFileLevel => {
+            text("In DATA, in DATA_LOCAL or between modules", "V DATA, v DATA_LOCAL nebo mezi moduly")
+        }
         Place::FileLevel => text("Between modules", "Mezi moduly"),
         Place::FileLevelOrModule => text("Between modules or inside one", "Mezi moduly nebo uvnitř modulu"),
         Place::Sequence => text(

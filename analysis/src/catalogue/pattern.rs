@@ -85,16 +85,6 @@ pub(super) const UNMODELLED_STRUCTURE: Entry = Entry { executable: false, ..STRU
 pub(super) const MULTI_CYCLE: Entry =
     Entry { ex_type: true, place: Place::Sequence, equation: Equation::Overwrite, ..UNMODELLED };
 
-/// Operands of an instruction whose rules are not yet modelled.
-pub(super) const ANY_OPERANDS: &[OperandSpec] = &[operand(
-    "operands",
-    OperandKind::Any,
-    "As the syntax shows; not checked yet",
-    "Podle syntaxe; zatím se nekontrolují",
-)
-.or_nothing()
-.repeated()];
-
 /// A text in both languages.
 pub(super) const fn text(en: &'static str, cs: &'static str) -> Bilingual {
     Bilingual { en, cs }
@@ -124,6 +114,12 @@ impl OperandSpec {
     /// The same operand, which may be left out.
     pub(super) const fn or_nothing(mut self) -> OperandSpec {
         self.optional = true;
+        self
+    }
+
+    /// The same operand, which must be given, be it as `-`.
+    pub(super) const fn required(mut self) -> OperandSpec {
+        self.optional = false;
         self
     }
 

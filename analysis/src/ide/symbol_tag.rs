@@ -32,8 +32,9 @@ impl SymbolTag {
     pub(super) fn of(what: &What) -> Option<SymbolTag> {
         match what {
             What::Bit { .. } => Some(SymbolTag::Bit),
-            What::Cell { .. } | What::Unknown => Some(SymbolTag::Cell),
-            What::Area { .. } => Some(SymbolTag::Area),
+            What::Cell { .. } | What::Typed { .. } | What::Unknown => Some(SymbolTag::Cell),
+            What::Member { .. } => Some(SymbolTag::Cell),
+            What::Area { .. } | What::Structure(_) => Some(SymbolTag::Area),
             What::Text { .. } => Some(SymbolTag::Text),
             What::Constant(_) => Some(SymbolTag::Constant),
             What::Macro | What::MacroWord => Some(SymbolTag::Macro),

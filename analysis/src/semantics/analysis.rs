@@ -1,6 +1,7 @@
 //! What the analysis of one section gives.
 
 use super::hir::{Body, SymbolKey};
+pub use super::identifiers::{IdentifierText, IdentifierUse};
 use super::reference::Reference;
 use crate::diagnostics::Finding;
 use crate::syntax::ast::Columns;
@@ -16,6 +17,8 @@ pub struct SectionAnalysis {
     pub references: Vec<Reference>,
     /// Accesses that end outside the declared memory of their symbol.
     pub overruns: Vec<Overrun>,
+    /// Identifiers of the configuration in it, in order of the text.
+    pub identifiers: Vec<IdentifierUse>,
     /// Records of two bytes that begin at the last byte of their symbol.
     pub records: Vec<Record>,
     /// Uses of devices that other sections must match.

@@ -1,5 +1,6 @@
 //! Bits: `bit`, `ADR.bit`, `$+n.bit` (manual 3.5).
 
+use super::block;
 use super::code::CodeReader;
 use super::hir::{Address, Operand};
 use super::operands::{access, address_of, describe};
@@ -8,7 +9,7 @@ use super::scope::{Symbol, SymbolKind};
 use super::sum::{shape, sum};
 use crate::catalogue::Access;
 use crate::diagnostics::rules::{names, operands as rules};
-use crate::syntax::ast::{Expr, Name};
+use crate::syntax::ast::{Expr, ExprKind, Name};
 
 /// What a bit operand takes.
 pub(super) struct BitRules {
@@ -34,7 +35,10 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
         let symbol = reader.resolve(name, access(wanted.access))?;
         return plain_bit(reader, name, &symbol, negated);
     }
-    let Some(position) = shape.bit else {
+    if shape.block.is_some() {
+        return block::bit(reader, &shape, expr, wanted, negated);
+    }
+    if shape.behind.is_empty() {
         let message = "a bit is needed here: a bit name, ADR.bit or $+n.bit";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
         return None;
@@ -45,14 +49,13 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
         return None;
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
-    let mask = reader.resolve(position, ReferenceAccess::Read)?;
-    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = mask.kind else {
-        let message =
-            format!("{} is {}, a bit is needed behind the dot", position.text, describe(&mask.kind));
-        reader.report_symbol(&names::WRONG_SYMBOL, position.columns.clone(), message, &mask.key);
+    let Some((mask, bit)) = sum.bit.clone() else {
+        let last = shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
+        let message = "this is a member of a structure; a bit is needed behind the last dot";
+        reader.report(&rules::OPERAND_KIND, last, message);
         return None;
     };
-    let base = if sum.dollar { Some(mask.clone()) } else { sum.symbol };
+    let base = if sum.dollar { Some(mask) } else { sum.symbol };
     let Some(base) = base.filter(|base| base.kind != SymbolKind::Mechanism && base.bytes().is_some()) else {
         let message = "an address is needed before the dot: a cell, name+n, name[BX] or $+n";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
@@ -64,6 +67,21 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
     }
     let address = Address { symbol: base.key, offset: sum.offset, indexed: sum.indexed };
     Some(Operand::Bit { address, bit, negated })
+}
+
+/// A name that gives the position of a bit; the byte comes from another operand.
+pub(super) fn position(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
+    let ExprKind::Name(name) = &expr.kind else {
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "the name of a bit is needed here");
+        return None;
+    };
+    let symbol = reader.resolve(name, ReferenceAccess::Read)?;
+    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = symbol.kind else {
+        let message = format!("{} is {}, a bit is needed here", name.text, describe(&symbol.kind));
+        reader.report_symbol(&names::WRONG_SYMBOL, name.columns.clone(), message, &symbol.key);
+        return None;
+    };
+    Some(Operand::Bit { address: address_of(&symbol), bit, negated: false })
 }
 
 fn plain_bit(reader: &mut CodeReader<'_>, name: &Name, symbol: &Symbol, negated: bool) -> Option<Operand> {

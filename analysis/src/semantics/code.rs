@@ -94,7 +94,26 @@ pub(super) struct CodeReader<'db> {
     end: u32,
 }
 
+/// How much a walk has recorded, so that an attempt can be taken back.
+pub(super) struct Mark {
+    pub(super) findings: usize,
+    pub(super) references: usize,
+    pub(super) overruns: usize,
+    pub(super) identifiers: usize,
+    pub(super) clean: bool,
+}
+
 impl<'db> CodeReader<'db> {
+    pub(super) fn mark(&self) -> Mark {
+        Mark {
+            findings: self.out.findings.len(),
+            references: self.out.references.len(),
+            overruns: self.out.overruns.len(),
+            identifiers: self.out.identifiers.len(),
+            clean: self.clean,
+        }
+    }
+
     fn read(&mut self) {
         let parsed = self.parsed;
         let errors = parsed.error_lines();
@@ -287,9 +306,12 @@ impl<'db> CodeReader<'db> {
             return;
         }
         match entry.name {
-            "EQUI" | "DS" | "STR" | "DFM" => operands::declaration(self, entry, line),
+            "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => operands::declaration(self, entry, line),
             "APPEND_T_MACRO" => self.append(line),
             "T_LOCAL" => self.t_local(line),
+            "STRUC" | "ENDS" => {
+                operands::resolve(self, entry, line);
+            }
             _ => {
                 if entry.kind == EntryKind::Directive {
                     operands::resolve(self, entry, line);

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use super::constant::{ConstExpr, NotConstant};
-use super::declarations::{Declarations, Declared, Exports, IncludeLine, MacroLine, Overlay, Storage, What};
+use super::declarations::{
+    Declarations, Declared, Exports, IncludeLine, LengthOf, MacroLine, Overlay, Storage, What,
+};
 use super::macros::definition::Flags;
 use crate::catalogue::{self, SystemKind};
 use crate::diagnostics::Finding;
@@ -43,11 +45,11 @@ pub(crate) fn exports(declarations: &Declarations) -> Exports {
         }
     }
     exports.storage = declarations.storage.iter().map(|s| Some(s.len)).collect();
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         if let Ok(expr) = ConstExpr::read(expr) {
             exports.storage[*storage as usize] = None;
             let name = name.and_then(|name| place[name as usize]);
-            exports.lengths.push((*storage, name, expr, *extra));
+            exports.lengths.push((*storage, name, expr, *counts));
         }
     }
     for (name, expr) in &declarations.expressions {
@@ -80,8 +82,10 @@ pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bo
 pub(super) struct Reader {
     kind: SectionKind,
     pub(super) found: Declarations,
+    /// The STRUC whose ENDS is still to come.
+    pub(super) structure: Option<super::structures::Open>,
     /// Labels that wait for the line they belong to.
-    pending: Vec<(u32, Name)>,
+    pub(super) pending: Vec<(u32, Name)>,
     /// Lines the parser complained about: their declarations are taken as unknown.
     errors: Vec<u32>,
 }
@@ -89,7 +93,7 @@ pub(super) struct Reader {
 impl Reader {
     /// A reader of lines in a section of a kind; `errors` are the lines the parser complained about.
     pub(super) fn new(kind: SectionKind, errors: Vec<u32>) -> Reader {
-        Reader { kind, found: Declarations::default(), pending: Vec::new(), errors }
+        Reader { kind, found: Declarations::default(), structure: None, pending: Vec::new(), errors }
     }
 
     pub(super) fn line(&mut self, number: u32, line: &Line, text: &str) {
@@ -97,11 +101,17 @@ impl Reader {
             self.pending.push((number, label.clone()));
         }
         let Some(operation) = &line.operation else { return };
+        if self.structure.is_some() {
+            super::structures::inside(self, number, operation);
+        }
         match operation.text.to_ascii_uppercase().as_str() {
             "DFM" if self.holds_data() => self.dfm(number, line),
             "DS" if self.holds_data() => self.ds(number, line),
             "STR" => self.str(number, line),
             "EQUI" => self.equi(number, line),
+            "STRUC" if self.holds_data() => super::structures::open(self, number, line),
+            "ENDS" if self.holds_data() => super::structures::close(self, number, line),
+            "DB" | "DW" | "DD" | "DQ" if self.holds_data() => super::structures::member(self, number, line),
             "MECH_BEGIN" if self.kind == SectionKind::Mechanism && number == 0 => {
                 self.routine(line, What::Mechanism);
             }
@@ -127,7 +137,12 @@ impl Reader {
                     self.declare(label, line, What::Unknown);
                 }
             }
-            _ => self.labels_of_code(),
+            _ => {
+                self.labels_of_code();
+                if let Some(new) = catalogue::entry(&operation.text).and_then(catalogue::Entry::declares) {
+                    super::new_cells::declare(self, number, line, new);
+                }
+            }
         }
     }
 
@@ -136,6 +151,7 @@ impl Reader {
     }
 
     pub(super) fn labels_of_code(&mut self) {
+        super::structures::end(self);
         if matches!(self.kind, SectionKind::Data | SectionKind::DataLocal) {
             for (line, label) in std::mem::take(&mut self.pending) {
                 let message = format!("{} names nothing: DFM, DS or STR must follow", label.text);
@@ -150,11 +166,11 @@ impl Reader {
         }
     }
 
-    fn broken(&self, number: u32) -> bool {
+    pub(super) fn broken(&self, number: u32) -> bool {
         self.errors.binary_search(&number).is_ok()
     }
 
-    fn report(
+    pub(super) fn report(
         &mut self,
         rule: &'static crate::diagnostics::Rule,
         line: u32,
@@ -164,7 +180,7 @@ impl Reader {
         self.found.findings.push(Finding::new(rule, line, columns, message));
     }
 
-    fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
+    pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
         self.check_system(line, &name, &what);
         self.found.names.push(Declared { name, line, what });
@@ -193,7 +209,7 @@ impl Reader {
         }
     }
 
-    fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
+    pub(super) fn storage(&mut self, len: u32, initial: Option<Vec<u8>>) -> u32 {
         self.found.storage.push(Storage { len, initial });
         self.found.storage.len() as u32 - 1
     }
@@ -255,7 +271,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let Length::Later(expr) = length {
-            self.found.lengths.push((storage, first, expr, false));
+            self.found.lengths.push((storage, first, expr, LengthOf::Bytes));
         }
     }
 
@@ -281,7 +297,7 @@ impl Reader {
             first = first.or(Some(index));
         }
         if let (Length::Later(expr), Some(storage)) = (length, storage) {
-            self.found.lengths.push((storage, first, expr, true));
+            self.found.lengths.push((storage, first, expr, LengthOf::Characters));
         }
     }
 
@@ -458,7 +474,11 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
 }
 
 fn is_reserved(name: &str) -> bool {
-    catalogue::entry(name).is_some_and(|entry| entry.kind != catalogue::EntryKind::EventProcedure)
+    // 80386 instructions known by name only are no obstacle: LOOP, TEST and OUT are good names.
+    let taken = |entry: &catalogue::Entry| {
+        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only()
+    };
+    catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()
         || catalogue::is_keyword(name)
 }

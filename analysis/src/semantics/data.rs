@@ -3,6 +3,7 @@
 use technol_image::op::Width;
 
 use super::address::{PrefixUse, Shape, Term, TermKind};
+use super::block;
 use super::code::CodeReader;
 use super::hir::{Address, Operand};
 use super::operands::{access, describe, integer};
@@ -37,20 +38,24 @@ pub(super) fn value(
     wanted: &ValueRules,
 ) -> Option<Operand> {
     let shape = shape(reader, expr)?;
-    if let Some(name) = shape.bit {
-        let message = format!("{} works on cells, not on bits", entry.name);
-        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
-        return None;
+    if shape.block.is_some() {
+        block::readable(reader, entry, wanted.access, expr)?;
     }
     if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
         let value = if shape.negated() == *minus { *value } else { -value };
         return real(reader, entry, expr, &shape, wanted, value);
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
+    if sum.bit.is_some() {
+        let columns = shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
+        let message = format!("{} works on cells, not on bits", entry.name);
+        reader.report(&rules::OPERAND_KIND, columns, message);
+        return None;
+    }
     if sum.constant {
         return integer_value(reader, entry, expr, &shape, wanted);
     }
-    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+    let Some(symbol) = sum.symbol.clone().filter(|_| !sum.dollar) else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "$ stands only before a bit: $+n.bit");
         return None;
     };
@@ -61,7 +66,7 @@ pub(super) fn value(
     }
     let width = match &shape.prefix {
         Some(prefix) => prefixed(reader, entry, wanted, prefix, &symbol, expr)?,
-        None => declared(reader, entry, wanted, &symbol, expr)?,
+        None => declared(reader, entry, wanted, &symbol, sum.member, expr)?,
     };
     let high = shape.prefix.as_ref().is_some_and(|prefix| prefix.prefix == Prefix::High);
     if !sum.indexed {
@@ -70,7 +75,7 @@ pub(super) fn value(
     }
     let offset = sum.offset.saturating_add(i64::from(high));
     let address = Address { symbol: symbol.key, offset, indexed: sum.indexed };
-    Some(Operand::Cell { address, width, negated: shape.negated() })
+    Some(sum.in_block(Operand::Cell { address, width, negated: shape.negated() }))
 }
 
 fn prefixed(
@@ -120,11 +125,17 @@ fn declared(
     entry: &Entry,
     wanted: &ValueRules,
     symbol: &Symbol,
+    member: Option<Width>,
     expr: &Expr,
 ) -> Option<Width> {
-    let found = match symbol.kind {
+    let own = member.map_or_else(|| symbol.kind.clone(), SymbolKind::Cell);
+    let found = match own {
         SymbolKind::Cell(width) | SymbolKind::Array { element: width, .. } => width,
         SymbolKind::MechanismLine => Width::Word,
+        // A place for REAL or QWORD cells alone gives DS 8 its type.
+        SymbolKind::Area { len: 8 } if only_eight(wanted.declared).is_some() => {
+            return only_eight(wanted.declared);
+        }
         SymbolKind::Area { .. } | SymbolKind::Text { .. } => {
             let message =
                 format!("{} has no type; put BYTE., WORD., DWRD., QWRD. or REAL. before it", symbol.key.name);
@@ -141,6 +152,8 @@ fn declared(
         Width::Byte => Prefix::Byte,
         Width::Word => Prefix::Word,
         Width::DWord => Prefix::Dwrd,
+        Width::QWord if wanted.declared.contains(Prefix::Qwrd) => Prefix::Qwrd,
+        Width::Real if wanted.declared.contains(Prefix::Real) => Prefix::Real,
         Width::QWord | Width::Real => {
             let message = format!("{} is 8 bytes long; say QWRD. or REAL.", symbol.key.name);
             reader.report_symbol(&rules::UNTYPED_AREA, expr.columns.clone(), message, &symbol.key);
@@ -153,7 +166,7 @@ fn declared(
     let message = format!(
         "{} is {}; {} takes {}",
         symbol.key.name,
-        describe(&symbol.kind),
+        describe(&own),
         entry.name,
         types(wanted.declared)
     );
@@ -161,11 +174,22 @@ fn declared(
     None
 }
 
+/// The 8-byte type, when the place takes one of them and no other.
+fn only_eight(declared: PrefixSet) -> Option<Width> {
+    match (declared.contains(Prefix::Qwrd), declared.contains(Prefix::Real)) {
+        (true, false) => Some(Width::QWord),
+        (false, true) => Some(Width::Real),
+        _ => None,
+    }
+}
+
 fn types(declared: PrefixSet) -> String {
     let names: Vec<_> = [
         (Prefix::Byte, "BYTE cells"),
         (Prefix::Word, "WORD cells"),
         (Prefix::Dwrd, "DWORD cells"),
+        (Prefix::Qwrd, "QWORD cells"),
+        (Prefix::Real, "REAL cells"),
         (Prefix::Cnst, "constants"),
     ]
     .iter()
@@ -293,6 +317,18 @@ pub(super) fn constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Opera
     integer(reader, expr).map(|value| Operand::Integer { value, width: Width::DWord })
 }
 
+/// A number with a decimal point.
+pub(super) fn real_constant(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
+    match constant(reader, expr)? {
+        Operand::Integer { value, .. } => {
+            let message = format!("a real number is needed here; write {value}.0");
+            reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+            None
+        }
+        real => Some(real),
+    }
+}
+
 /// The time of TIM and TEX: number, constant, BYTE or WORD cell, `(cell+n)`.
 pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Expr) -> Option<Operand> {
     let shape = shape(reader, expr)?;
@@ -319,12 +355,12 @@ pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Ex
         reader.report(&rules::SIGN_NOT_ALLOWED, columns, "a time cannot be negated");
         return None;
     }
-    let symbol = total.symbol.filter(|_| !total.dollar && shape.bit.is_none());
+    let symbol = total.symbol.filter(|_| !total.dollar && total.bit.is_none() && total.block.is_none());
     let Some(symbol) = symbol else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "a time is a number, a constant or a cell");
         return None;
     };
-    let width = match symbol.kind {
+    let width = match total.member.map_or_else(|| symbol.kind.clone(), SymbolKind::Cell) {
         SymbolKind::Cell(width @ (Width::Byte | Width::Word)) => width,
         SymbolKind::MechanismLine => Width::Word,
         // The counter's prefix gives the width; without one it is reported below.
@@ -356,9 +392,17 @@ pub(super) fn area(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Op
 
 /// A text buffer, with offset or BX.
 pub(super) fn text(reader: &mut CodeReader<'_>, expr: &Expr, uses: Access) -> Option<Operand> {
-    place(reader, expr, uses, "a text buffer declared by STR is needed here", |kind| {
-        matches!(kind, SymbolKind::Text { .. } | SymbolKind::Area { .. })
-    })
+    text_needed(reader, expr, uses, "a text buffer declared by STR is needed here")
+}
+
+/// A text buffer where something else may stand too; `need` says what.
+pub(super) fn text_needed(
+    reader: &mut CodeReader<'_>,
+    expr: &Expr,
+    uses: Access,
+    need: &'static str,
+) -> Option<Operand> {
+    place(reader, expr, uses, need, |kind| matches!(kind, SymbolKind::Text { .. } | SymbolKind::Area { .. }))
 }
 
 fn place(
@@ -374,12 +418,12 @@ fn place(
         reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
         return None;
     }
-    if shape.bit.is_some() || shape.negated() || matches!(&expr.kind, ExprKind::Text(_)) {
+    if shape.block.is_some() || shape.negated() || matches!(&expr.kind, ExprKind::Text(_)) {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
         return None;
     }
     let sum = sum(reader, &shape, expr, access(uses))?;
-    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar && sum.bit.is_none()) else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
         return None;
     };

@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use technol_image::op::Width;
+
 use super::constant::ConstExpr;
 use super::macros::definition::Flags;
 use crate::diagnostics::Finding;
@@ -18,8 +20,8 @@ pub struct Declarations {
     /// EQUI values that need other constants: index into `names`, and the expression.
     pub expressions: Vec<(u32, Expr)>,
     /// Lengths that need constants of other sections: index into `storage`, index into `names`, the expression,
-    /// and whether one byte more is reserved (STR).
-    pub lengths: Vec<(u32, Option<u32>, Expr, bool)>,
+    /// and what it counts.
+    pub lengths: Vec<(u32, Option<u32>, Expr, LengthOf)>,
     /// Files named by T_INCLUDE.
     pub includes: Vec<IncludeLine>,
     /// APPEND_T_MACRO, CONTROL_T_MACRO and T_INCLUDE lines, ascending.
@@ -101,6 +103,29 @@ pub struct Storage {
     pub initial: Option<Vec<u8>>,
 }
 
+/// What a declared length counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthOf {
+    /// Bytes (DS).
+    Bytes,
+    /// Characters; a byte more is reserved (STR).
+    Characters,
+    /// Elements of this many bytes (DEF_IN, DEF_OUT).
+    Elements(u32),
+}
+
+impl LengthOf {
+    /// Bytes of memory that `count` takes.
+    #[must_use]
+    pub const fn bytes(self, count: u32) -> u32 {
+        match self {
+            LengthOf::Bytes => count,
+            LengthOf::Characters => count.saturating_add(1),
+            LengthOf::Elements(size) => count.saturating_mul(size),
+        }
+    }
+}
+
 /// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declared {
@@ -110,6 +135,34 @@ pub struct Declared {
     pub line: u32,
     /// What it stands for.
     pub what: What,
+}
+
+/// A length that may need constants of other sections.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// The part that is known.
+    pub known: u32,
+    /// Further parts: so many times the value of the expression.
+    pub open: Vec<(u32, ConstExpr)>,
+}
+
+impl Extent {
+    /// Adds `other`, each part of it `times`.
+    pub fn add(&mut self, other: &Extent, times: u32) {
+        self.known = self.known.saturating_add(other.known.saturating_mul(times));
+        self.open.extend(other.open.iter().map(|(size, expr)| (size.saturating_mul(times), expr.clone())));
+    }
+
+    /// The length, with the values that `constant` knows; `None` when one is missing or out of range.
+    #[must_use]
+    pub fn value(&self, mut constant: impl FnMut(&ConstExpr) -> Option<i64>) -> Option<u32> {
+        let mut total = i64::from(self.known);
+        for (size, expr) in &self.open {
+            let count = constant(expr).filter(|count| (1..=super::collect::MAX_LENGTH).contains(count))?;
+            total = total.checked_add(i64::from(*size) * count)?;
+        }
+        u32::try_from(total).ok().filter(|total| i64::from(*total) <= super::collect::MAX_LENGTH)
+    }
 }
 
 /// What a declared name stands for.
@@ -132,6 +185,15 @@ pub enum What {
         /// Index into [`Declarations::storage`].
         storage: u32,
     },
+    /// A cell of a named type, or an array of such cells (MAP_AIN, MAP_AOUT, DEF_IN, DEF_OUT).
+    Typed {
+        /// Index into [`Declarations::storage`].
+        storage: u32,
+        /// Type of the cell or of an element.
+        element: Width,
+        /// Declared with `[n]`, so that `name[n]` is an element.
+        array: bool,
+    },
     /// A text buffer (STR n).
     Text {
         /// Index into [`Declarations::storage`]; `None` when it lies over another symbol.
@@ -140,6 +202,17 @@ pub enum What {
         over: Option<Overlay>,
         /// Maximum number of characters.
         len: u32,
+    },
+    /// STRUC: its length in bytes.
+    Structure(Extent),
+    /// A member of a STRUC.
+    Member {
+        /// Bytes before it.
+        offset: Extent,
+        /// Type of an element.
+        element: Width,
+        /// Number of elements.
+        count: Extent,
     },
     /// EQUI: the value, when the line alone gives it; else see [`Declarations::expressions`].
     Constant(Option<i64>),
@@ -168,8 +241,8 @@ pub struct Exports {
     pub indices: Vec<u32>,
     /// EQUI values that need other constants: index into `names`.
     pub expressions: Vec<(u32, ConstExpr)>,
-    /// Lengths that need other constants: index into `storage`, index into `names`, whether a byte more is reserved.
-    pub lengths: Vec<(u32, Option<u32>, ConstExpr, bool)>,
+    /// Lengths that need other constants: index into `storage`, index into `names`, what it counts.
+    pub lengths: Vec<(u32, Option<u32>, ConstExpr, LengthOf)>,
     /// Spelled names of included files.
     pub includes: Vec<(String, bool)>,
 }

@@ -267,8 +267,11 @@ impl Layout {
                 What::Cell { storage } => {
                     at(storage).map(|(addr, len)| Placed { addr, len, kind: cell_kind(len) })
                 }
-                What::Area { storage } => {
+                What::Area { storage } | What::Typed { storage, array: true, .. } => {
                     at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Area })
+                }
+                What::Typed { storage, element, array: false } => {
+                    at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Cell(element) })
                 }
                 What::Text { storage: Some(storage), len: characters, .. } => {
                     at(storage).map(|(addr, len)| Placed { addr, len, kind: PlacedKind::Text(characters) })
@@ -336,9 +339,10 @@ fn clamp(len: u64) -> u32 {
 
 fn line_of_storage(declarations: &Declarations, wanted: usize) -> u32 {
     let of = |what: &What| match what {
-        What::Bit { storage, .. } | What::Cell { storage } | What::Area { storage } => {
-            Some(*storage as usize)
-        }
+        What::Bit { storage, .. }
+        | What::Cell { storage }
+        | What::Area { storage }
+        | What::Typed { storage, .. } => Some(*storage as usize),
         What::Text { storage, .. } => storage.map(|s| s as usize),
         _ => None,
     };

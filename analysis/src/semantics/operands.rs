@@ -11,7 +11,7 @@ use super::hir::{Address, Operand};
 use super::program::no_value;
 use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
-use super::{bits, data, moves};
+use super::{alternatives, bits, data, identifiers, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
 use crate::diagnostics::rules::{declarations, lints, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
@@ -47,6 +47,7 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
         reader.report(&rules::OPERAND_COUNT, operation.columns.clone(), message);
         return resolved;
     }
+    identifiers::typed(reader, entry, line);
     if reader.clean {
         moves::check(reader, entry, line, &mut resolved);
     }
@@ -55,6 +56,9 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
 
 /// EQUI, DS, STR, DFM: names in constants are looked up, so that they are reported where they stand.
 pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) {
+    if matches!(entry.name, "DB" | "DW" | "DD" | "DQ") {
+        return repetitions(reader, line);
+    }
     let value = match entry.name {
         "EQUI" => line.operands.get(1),
         "DS" | "STR" => line.operands.first(),
@@ -108,6 +112,28 @@ pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, li
     }
 }
 
+/// Names in the number of elements of a member: `n DUP (?)`.
+fn repetitions(reader: &mut CodeReader<'_>, line: &Line) {
+    for pair in line.operands.windows(2) {
+        let [times, word] = pair else { continue };
+        if !super::structures::is_word(word, "DUP") {
+            continue;
+        }
+        let mut used = Vec::new();
+        names_in(times, &mut used);
+        if used.is_empty() || used.into_iter().any(|name| !constant_name(reader, name)) {
+            continue;
+        }
+        let most = super::collect::MAX_LENGTH;
+        if let Some(value) = integer(reader, times)
+            && !(1..=most).contains(&value)
+        {
+            let message = format!("the number of elements is not within 1 and {most}");
+            reader.report(&declarations::BAD_LENGTH, times.columns.clone(), message);
+        }
+    }
+}
+
 /// What a STR lies over.
 fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
     let Some(expr) = line.operands.get(1) else { return };
@@ -131,7 +157,7 @@ fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
 }
 
 /// Whether a name in a constant expression is a constant; reports it when not.
-fn constant_name(reader: &mut CodeReader<'_>, name: &Name) -> bool {
+pub(super) fn constant_name(reader: &mut CodeReader<'_>, name: &Name) -> bool {
     let Some(symbol) = reader.resolve(name, ReferenceAccess::Read) else { return false };
     if matches!(symbol.kind, SymbolKind::Constant(_)) {
         return true;
@@ -148,7 +174,7 @@ fn circular(reader: &CodeReader<'_>, line: &Line) -> bool {
         && crate::database::scope(reader.db, reader.project).circular.contains(name.key().as_str())
 }
 
-fn names_in<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
+pub(super) fn names_in<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
     match &expr.kind {
         ExprKind::Name(name) => found.push(name),
         ExprKind::Sign { operand, .. } | ExprKind::Parens(operand) => names_in(operand, found),
@@ -199,8 +225,18 @@ fn one(
         }
         _ => {}
     }
+    of_kind(reader, entry, spec.kind, expr)
+}
+
+/// An operand that is given, as one of a kind.
+pub(super) fn of_kind(
+    reader: &mut CodeReader<'_>,
+    entry: &'static Entry,
+    kind: OperandKind,
+    expr: &Expr,
+) -> Option<Operand> {
     let counters = PrefixSet::of(&[catalogue::Prefix::Byte, catalogue::Prefix::Word]);
-    match spec.kind {
+    match kind {
         OperandKind::Bit { access, negatable, extended } => {
             bits::bit(reader, expr, &bits::BitRules { access, negatable, extended })
         }
@@ -245,7 +281,10 @@ fn one(
             Some(Operand::Procedure(symbol))
         }
         OperandKind::Number { min, max } => number(reader, expr, min, max),
+        OperandKind::NumberOf(numbers) => number_of(reader, expr, numbers),
         OperandKind::Constant => data::constant(reader, expr),
+        OperandKind::RealConstant => data::real_constant(reader, expr),
+        OperandKind::BitPosition => bits::position(reader, expr),
         OperandKind::Keyword(words) => keyword(reader, expr, words),
         OperandKind::KeywordOrNumber(words, min, max) => match &expr.kind {
             ExprKind::Name(name) if words.iter().any(|word| word.eq_ignore_ascii_case(&name.text)) => {
@@ -254,11 +293,11 @@ fn one(
             _ => number(reader, expr, min, max),
         },
         OperandKind::NewName | OperandKind::NewBit => Some(Operand::Skipped),
-        OperandKind::Identifier(_)
-        | OperandKind::Declares(_)
-        | OperandKind::DeclaredElement
-        | OperandKind::OneOf(_)
-        | OperandKind::Any => Some(any(reader, expr)),
+        OperandKind::Identifier(element) => identifiers::identifier(reader, entry, element, expr),
+        OperandKind::Declares(new) => identifiers::declared(reader, entry, new, expr),
+        OperandKind::DeclaredElement => identifiers::element(reader, expr),
+        OperandKind::OneOf(kinds) => alternatives::one_of(reader, entry, kinds, expr),
+        OperandKind::Any => Some(any(reader, expr)),
     }
 }
 
@@ -321,6 +360,18 @@ fn number(reader: &mut CodeReader<'_>, expr: &Expr, min: i64, max: i64) -> Optio
         (0, 1) => format!("{value} cannot stand here, only 0 or 1"),
         _ => format!("{value} is not within {min} and {max}"),
     };
+    reader.report(&rules::NUMBER_OUT_OF_RANGE, expr.columns.clone(), message);
+    None
+}
+
+/// An integer constant out of a list.
+fn number_of(reader: &mut CodeReader<'_>, expr: &Expr, numbers: &[i64]) -> Option<Operand> {
+    let value = integer(reader, expr)?;
+    if numbers.contains(&value) {
+        return Some(Operand::Integer { value, width: Width::DWord });
+    }
+    let known: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    let message = format!("{value} cannot stand here, only {}", known.join(", "));
     reader.report(&rules::NUMBER_OUT_OF_RANGE, expr.columns.clone(), message);
     None
 }

@@ -8,7 +8,7 @@ use technol_image::op::Width;
 
 use super::constant::{ConstExpr, NoValue};
 use super::constants::Constants;
-use super::declarations::{Declarations, Exports, What};
+use super::declarations::{Declarations, Exports, Extent, What};
 use super::hir::{SymbolKey, SymbolScope};
 use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
 use crate::catalogue::{Prefix, SystemKind};
@@ -221,11 +221,17 @@ fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash>
     let cell = |kind: &SymbolKind| {
         matches!(
             kind,
-            SymbolKind::Bit { .. } | SymbolKind::Cell(_) | SymbolKind::Area { .. } | SymbolKind::Text { .. }
+            SymbolKind::Bit { .. }
+                | SymbolKind::Cell(_)
+                | SymbolKind::Array { .. }
+                | SymbolKind::Area { .. }
+                | SymbolKind::Text { .. }
         )
     };
     match (before, now) {
         (SymbolKind::Constant(_), SymbolKind::Constant(_)) => conflict.then_some(Clash::Values),
+        // Members of two structures may share a name when they mean the same.
+        (SymbolKind::Member { .. }, SymbolKind::Member { .. }) if before == now => None,
         (SymbolKind::Mechanism, other) | (other, SymbolKind::Mechanism) if cell(other) => {
             Some(Clash::MechanismAndCell)
         }
@@ -280,9 +286,9 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
     let length = |storage: u32| {
         let known = exports.storage.get(storage as usize).copied().flatten();
         known.or_else(|| {
-            let (.., expr, extra) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
+            let (.., expr, counts) = exports.lengths.iter().find(|(s, ..)| *s == storage)?;
             let len = constants.value(expr).filter(|len| (1..=super::collect::MAX_LENGTH).contains(len))?;
-            Some(len as u32 + u32::from(*extra))
+            Some(counts.bytes(len as u32))
         })
     };
     match what {
@@ -294,11 +300,28 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
             Some(len) => SymbolKind::Area { len },
             None => SymbolKind::Unknown,
         },
+        What::Typed { element, array: false, .. } => SymbolKind::Cell(*element),
+        What::Typed { storage, element, array: true } => {
+            length(*storage).map_or(SymbolKind::Unknown, |len| SymbolKind::Array {
+                element: *element,
+                len: len / element.bytes(),
+            })
+        }
         What::Text { storage: Some(storage), .. } => length(*storage)
             .map_or(SymbolKind::Unknown, |len| SymbolKind::Text { len: len.saturating_sub(1) }),
         What::Text { len, .. } => SymbolKind::Text { len: *len },
         What::Constant(_) => {
             constants.values.get(name).copied().flatten().map_or(SymbolKind::Unknown, SymbolKind::Constant)
+        }
+        What::Structure(length) => length
+            .value(|expr| constants.value(expr))
+            .map_or(SymbolKind::Unknown, |len| SymbolKind::Structure { len }),
+        What::Member { offset, element, count } => {
+            let value = |extent: &Extent| extent.value(|expr| constants.value(expr));
+            match (value(offset), value(count)) {
+                (Some(offset), Some(len)) => SymbolKind::Member { offset, element: *element, len },
+                _ => SymbolKind::Unknown,
+            }
         }
         What::Mechanism => SymbolKind::Mechanism,
         What::Procedure => SymbolKind::Procedure,
@@ -335,12 +358,12 @@ pub(crate) fn resolved(
             declared.what = What::Constant(value);
         }
     }
-    for (storage, name, expr, extra) in &declarations.lengths {
+    for (storage, name, expr, counts) in &declarations.lengths {
         let len = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
         let Some(len) = len.filter(|len| (1..=super::collect::MAX_LENGTH).contains(len)) else { continue };
         let len = len as u32;
         if let Some(piece) = declarations.storage.get_mut(*storage as usize) {
-            piece.len = len + u32::from(*extra);
+            piece.len = counts.bytes(len);
         }
         if let Some(declared) = name.and_then(|name| declarations.names.get_mut(name as usize)) {
             match &mut declared.what {

@@ -13,8 +13,9 @@ pub mod build;
 pub mod configuration;
 pub mod declarations;
 pub mod equations;
-pub mod macros;
 pub mod lints;
+pub mod macros;
+pub mod memory;
 pub mod names;
 pub mod operands;
 pub mod project;
@@ -70,6 +71,9 @@ pub static RULES: &[&Rule] = &[
     &names::UNKNOWN_LABEL,
     &names::DUPLICATE_LABEL,
     &names::WRONG_SYMBOL,
+    &memory::ARRAY_OF_BITS,
+    &memory::STRUCTURE_FORM,
+    &memory::MEMBER_FORM,
     &operands::OPERAND_COUNT,
     &operands::OPERAND_KIND,
     &operands::UNTYPED_AREA,
@@ -86,6 +90,10 @@ pub static RULES: &[&Rule] = &[
     &operands::CONSTANT_DESTINATION,
     &operands::NEVER_EQUAL,
     &operands::STALE_DIVIDEND,
+    &memory::BAD_IDENTIFIER,
+    &memory::INDEX_OUTSIDE_ARRAY,
+    &memory::NO_ALTERNATIVE,
+    &memory::BLOCK_ACCESS,
     &equations::POP_WITHOUT_PUSH,
     &equations::VALUE_LEFT_ON_STACK,
     &equations::STACK_TOO_DEEP,

@@ -119,8 +119,12 @@ fn fit(operand: OperandKind, symbol: &SymbolKind) -> Option<u8> {
         OperandKind::Address(_) | OperandKind::LiteralOrAddress => fits(is_memory(symbol), 0),
         OperandKind::Mechanism { declares: false } => fits(*symbol == SymbolKind::Mechanism, 0),
         OperandKind::Procedure { declares: false } => fits(*symbol == SymbolKind::Procedure, 0),
-        OperandKind::Number { .. } | OperandKind::Constant | OperandKind::KeywordOrNumber(..) => {
-            fits(constant, 1)
+        OperandKind::Number { .. }
+        | OperandKind::NumberOf(_)
+        | OperandKind::Constant
+        | OperandKind::KeywordOrNumber(..) => fits(constant, 1),
+        OperandKind::BitPosition => {
+            fits(matches!(symbol, SymbolKind::Bit { .. } | SymbolKind::FormalBit { .. }), 0)
         }
         OperandKind::Text(_) | OperandKind::TextOrLiteral => {
             fits(matches!(symbol, SymbolKind::Text { .. }), 0)
@@ -136,6 +140,7 @@ fn fit(operand: OperandKind, symbol: &SymbolKind) -> Option<u8> {
         | OperandKind::Procedure { declares: true }
         | OperandKind::NewName
         | OperandKind::NewBit
+        | OperandKind::RealConstant
         | OperandKind::Declares(_)
         | OperandKind::Keyword(_) => None,
     }

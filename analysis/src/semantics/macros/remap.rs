@@ -63,6 +63,11 @@ pub(crate) fn analysis(expansion: &Expansion<'_>, found: SectionAnalysis) -> Sec
         overrun.line = own(line);
         mapped.overruns.push(overrun);
     }
+    for mut used in found.identifiers {
+        used.columns = expansion.shown(used.line, &used.columns);
+        used.line = own(used.line);
+        mapped.identifiers.push(used);
+    }
     for mut record in found.records {
         record.columns = expansion.shown(record.line, &record.columns);
         record.line = own(record.line);

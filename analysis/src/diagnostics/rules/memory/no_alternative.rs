@@ -1,0 +1,18 @@
+//! T0422 no-such-operand.
+
+use crate::diagnostics::{Rule, Severity};
+
+/// T0422 no-such-operand.
+pub static NO_ALTERNATIVE: Rule = Rule {
+    code: "T0422",
+    name: "no-such-operand",
+    severity: Severity::Error,
+    fixed: true,
+    explanation: "The place takes operands of several kinds and this one is none of them; the message lists what may \
+        stand there.",
+    why: "The instruction would work with something else than it expects.",
+    wrong: "MODULE_INIT\n        MAP_IN  GUARD,TABLE\nMODULE_INIT_END\n",
+    right: "MODULE_INIT\n        MAP_IN  GUARD,'Guard'\nMODULE_INIT_END\n",
+    chapter: "3.1",
+    ..Rule::BASE
+};
