@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 pub mod cell_type;
+pub mod configuration;
 pub mod entry;
 pub mod logical_elements;
 pub mod page;

@@ -7,7 +7,7 @@ use super::declarations::{
     Declarations, Declared, Exports, IncludeLine, LengthOf, MacroLine, Overlay, Storage, What,
 };
 use super::macros::definition::Flags;
-use crate::catalogue;
+use crate::catalogue::{self, SystemKind};
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::declarations as rules;
 use crate::syntax::ParsedLines;
@@ -173,6 +173,7 @@ impl Reader {
 
     pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
+        self.check_system(line, &name, &what);
         self.found.names.push(Declared { name, line, what });
         self.found.names.len() as u32 - 1
     }
@@ -185,6 +186,17 @@ impl Reader {
         if is_reserved(&name.text) {
             let message = format!("{} is also an instruction or keyword; rename it", name.text);
             self.report(&rules::NAME_LIKE_INSTRUCTION, line, name.columns.clone(), message);
+        }
+    }
+
+    /// Memory under the name of a predefined cell. Bit positions and members have no memory that could be hidden.
+    fn check_system(&mut self, line: u32, name: &Name, what: &What) {
+        let memory =
+            matches!(what, What::Bit { .. } | What::Cell { .. } | What::Area { .. } | What::Text { .. });
+        let Some(system) = catalogue::symbol(&name.text).filter(|_| memory) else { return };
+        if !matches!(system.kind, SystemKind::FormalBit { .. } | SystemKind::Member { .. }) {
+            let message = format!("{} is also a predefined name of the control; rename it", name.text);
+            self.report(&rules::HIDES_SYSTEM_SYMBOL, line, name.columns.clone(), message);
         }
     }
 

@@ -140,7 +140,8 @@ impl Program {
     /// The text of the file.
     pub(crate) fn text(&self) -> String {
         let mut text = self.before.clone();
-        let body = |name: &str| self.sections.iter().find(|(own, _)| own == name).map_or("", |(_, text)| text);
+        let body =
+            |name: &str| self.sections.iter().find(|(own, _)| own == name).map_or("", |(_, text)| text);
         let mut put = |name: &str| text.push_str(&format!("{name}\n{}{name}_END\n", body(name)));
         SECTIONS.iter().for_each(|name| put(name));
         for (name, _) in self.sections.iter().filter(|(name, _)| !SECTIONS.contains(&name.as_str())) {
