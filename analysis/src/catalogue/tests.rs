@@ -276,6 +276,8 @@ fn prefixes_are_found_in_any_case_and_the_misspelling_is_told() {
     assert_eq!(prefix("DWORD"), None);
     assert!(is_keyword("nil") && is_keyword("BX") && is_keyword("cnts"));
     assert!(!is_keyword("LDR") && !is_keyword("P1IN"));
+    // Words of a few instructions are free names.
+    assert!(!is_keyword("FAST") && !is_keyword("TYPE_WORD"));
 }
 
 #[test]

@@ -25,31 +25,44 @@ const SECTIONS: &[&str] = &[
 /// The main file.
 pub(crate) const MAIN: &str = "main.plc";
 
+const MANIFEST: &str = "[project]\nname = \"help\"\nmain = \"main.plc\"\nsystem-dir = \"system\"\n";
+
 struct Memory(BTreeMap<String, String>);
 
 impl FileReader for Memory {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let path = path.strip_prefix("help/").unwrap_or(path);
         self.0.get(path).map(|text| text.clone().into_bytes()).ok_or_else(|| "no such file".to_string())
     }
 }
 
 /// The project of a main file; files that it includes are there and empty.
 pub(crate) fn project(text: &str) -> AnalysisHost {
-    let mut files = BTreeMap::from([(MAIN.to_string(), text.to_string())]);
+    let mut files = BTreeMap::from([
+        ("technol.toml".to_string(), MANIFEST.to_string()),
+        (MAIN.to_string(), text.to_string()),
+    ]);
     for line in text.lines().filter(|line| first_word(line).eq_ignore_ascii_case("T_INCLUDE")) {
-        let name = line.split_whitespace().nth(1).unwrap_or_default();
-        files.insert(name.trim_matches('\'').to_string(), String::new());
+        let name = line.split_whitespace().nth(1).unwrap_or_default().replace('\\', "/");
+        let path = match name.strip_prefix('\'') {
+            Some(name) => format!("system/{}", name.trim_end_matches('\'')),
+            None => name,
+        };
+        files.insert(path, String::new());
     }
     let mut host = AnalysisHost::new();
-    host.apply(Change { project: Some(load(MAIN, &Memory(files))), texts: Vec::new() });
+    host.apply(Change { project: Some(load("help", &Memory(files))), texts: Vec::new() });
     host
 }
 
-/// What is wrong with the main file. Lints that judge a whole program say nothing about a fragment.
+/// Lints that judge a whole program: a fragment starts no mechanism, uses no result, resets no axis.
+const OF_A_WHOLE_PROGRAM: std::ops::RangeInclusive<&str> = "T1111"..="T1199";
+
+/// What is wrong with the main file.
 pub(crate) fn check(host: &AnalysisHost) -> Vec<Diagnostic> {
     let found = host.analysis().diagnostics(MAIN).expect("nothing cancels it");
-    let judges_all = |d: &Diagnostic| d.code >= "T1130" && d.code <= "T1199";
-    found.into_iter().filter(|d| d.severity <= Severity::Warning && !judges_all(d)).collect()
+    let counts = |d: &Diagnostic| d.severity <= Severity::Warning && !OF_A_WHOLE_PROGRAM.contains(&d.code);
+    found.into_iter().filter(counts).collect()
 }
 
 /// `line: code message` and the line itself.
