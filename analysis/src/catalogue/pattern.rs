@@ -75,7 +75,7 @@ pub(super) const WAITING: Entry = Entry {
     ..INSTRUCTION
 };
 
-/// An instruction whose operand rules are not yet modelled; `build` refuses it.
+/// An instruction that `build` refuses.
 pub(super) const UNMODELLED: Entry = Entry { executable: false, ..INSTRUCTION };
 /// The same in DATA.
 pub(super) const UNMODELLED_DATA: Entry = Entry { executable: false, ..DECLARATION };
