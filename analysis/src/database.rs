@@ -12,12 +12,18 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::diagnostics::Diagnostic;
+use crate::configuration::cross::{Configured, ProjectUses};
+use crate::configuration::uses::SectionUses;
+use crate::configuration::{ConfigKind, Configuration};
+use crate::diagnostics::allow::Allows;
+use crate::diagnostics::{Diagnostic, Finding};
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
+use crate::semantics::lints::project::{self as lints, NameUses};
+use crate::semantics::lints::uses::{self, Uses};
 use crate::semantics::macros::circles::{self, MacroCircle};
 use crate::semantics::macros::declare::{self, ExpansionDeclarations, ExpansionExports};
 use crate::semantics::macros::definition::{self, MacroDefinition};
@@ -68,6 +74,15 @@ pub struct SourceFile {
     pub order: Option<u8>,
 }
 
+/// A configuration file. An input of its own: an edit here re-runs no analysis of a section.
+#[salsa::input(debug)]
+pub struct ConfigFile {
+    /// Project path.
+    pub path: String,
+    /// Content.
+    pub text: Arc<str>,
+}
+
 /// The project.
 #[salsa::input(debug)]
 pub struct Project {
@@ -75,6 +90,8 @@ pub struct Project {
     pub files: Vec<SourceFile>,
     /// Included files, in order of their first inclusion.
     pub included: Vec<SourceFile>,
+    /// Configuration files, in order of the manifest.
+    pub configuration: Vec<ConfigFile>,
     /// What the manifest sets.
     pub settings: Arc<Settings>,
     /// Where each T_INCLUDE leads: (path of the including file, spelled name).
@@ -186,6 +203,42 @@ pub fn sections<'db>(db: &'db dyn Db, file: SourceFile) -> Vec<Section<'db>> {
 #[salsa::tracked]
 pub fn section_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> ParsedLines {
     syntax::parse_lines(section.text(db))
+}
+
+/// Comments of a section that allow what rules report.
+#[salsa::tracked]
+pub fn section_allows<'db>(db: &'db dyn Db, section: Section<'db>) -> Allows {
+    crate::diagnostics::allow::read(&section_lines(db, section).lines, section.text(db))
+}
+
+/// What a section does with names, without positions.
+#[salsa::tracked]
+pub fn section_uses<'db>(db: &'db dyn Db, section: Section<'db>) -> Uses {
+    uses::uses(section_lines(db, section), section.text(db), section.kind(db))
+}
+
+/// What a file does with names.
+#[salsa::tracked]
+pub fn file_uses(db: &dyn Db, file: SourceFile) -> NameUses {
+    lints::file_uses(db, file)
+}
+
+/// What a file does with names that it does not declare.
+#[salsa::tracked]
+pub fn foreign_uses(db: &dyn Db, file: SourceFile) -> NameUses {
+    lints::foreign_uses(db, file)
+}
+
+/// What files do with names of other files.
+#[salsa::tracked]
+pub fn shared_uses(db: &dyn Db, project: Project) -> NameUses {
+    lints::shared_uses(db, project)
+}
+
+/// Names of a file that nobody uses as they are meant: index in its sections, and the finding.
+#[salsa::tracked]
+pub fn file_lints(db: &dyn Db, project: Project, file: SourceFile) -> Vec<(u32, Finding)> {
+    lints::file_lints(db, project, file)
 }
 
 /// What the structure of the file needs of a section's lines.
@@ -389,6 +442,37 @@ pub fn project_devices(db: &dyn Db, project: Project) -> Devices {
 #[salsa::tracked]
 pub fn file_diagnostics(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
     crate::diagnostics::file::collect(db, project, file)
+}
+
+/// A configuration file as read.
+#[salsa::tracked]
+pub fn configuration_file(db: &dyn Db, file: ConfigFile) -> Configuration {
+    let kind = ConfigKind::of_path(file.path(db)).unwrap_or(ConfigKind::Channel);
+    crate::configuration::read(kind, file.text(db))
+}
+
+/// What the configuration files of the project define.
+#[salsa::tracked]
+pub fn configured(db: &dyn Db, project: Project) -> Configured {
+    crate::configuration::cross::configured(db, project)
+}
+
+/// What a section takes from configuration files.
+#[salsa::tracked]
+pub fn section_identifiers<'db>(db: &'db dyn Db, project: Project, section: Section<'db>) -> SectionUses {
+    crate::configuration::uses::collect(db, project, section)
+}
+
+/// What the program takes from configuration files.
+#[salsa::tracked]
+pub fn configuration_uses(db: &dyn Db, project: Project) -> ProjectUses {
+    crate::configuration::cross::project_uses(db, project)
+}
+
+/// All mistakes of a configuration file, sorted.
+#[salsa::tracked]
+pub fn configuration_diagnostics(db: &dyn Db, project: Project, file: ConfigFile) -> Vec<Diagnostic> {
+    crate::configuration::cross::of_file(db, project, file)
 }
 
 /// Where everything lies in memory.

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use salsa::{Cancelled, Durability, Setter};
 
-use crate::database::{self, Database, Project, SourceFile};
-use crate::diagnostics::Diagnostic;
+use crate::database::{self, ConfigFile, Database, Project, SourceFile};
+use crate::diagnostics::{Diagnostic, Fix};
 use crate::project::{LoadedFile, LoadedProject, include_names};
 
 /// The answer of a snapshot, or that a change overtook it: ask the next snapshot.
@@ -39,6 +39,7 @@ pub struct Analysis {
 struct State {
     project: Option<Project>,
     files: Arc<BTreeMap<String, SourceFile>>,
+    configuration: Arc<BTreeMap<String, ConfigFile>>,
     /// Mistakes in the manifest and in the set of files.
     problems: Arc<Vec<(String, Diagnostic)>>,
     /// Project path and text of the manifest.
@@ -72,6 +73,10 @@ impl AnalysisHost {
         for (path, text) in change.texts {
             if let Some(file) = self.state.files.get(&path).copied() {
                 self.set_text(file, &text);
+            } else if let Some(file) = self.state.configuration.get(&path).copied()
+                && *file.text(&self.db) != text
+            {
+                file.set_text(&mut self.db).to(text);
             }
         }
     }
@@ -113,11 +118,12 @@ impl AnalysisHost {
         };
         let program = inputs(self, &loaded.files);
         let included = inputs(self, &loaded.included);
+        let configuration = self.configuration(&loaded.configuration);
         let settings = Arc::new(loaded.settings());
         let includes = Arc::new(loaded.includes.clone());
         match self.state.project {
             None => {
-                let project = Project::builder(program, included, settings, includes)
+                let project = Project::builder(program, included, configuration, settings, includes)
                     .durability(Durability::MEDIUM)
                     .new(&self.db);
                 self.state.project = Some(project);
@@ -128,6 +134,9 @@ impl AnalysisHost {
                 }
                 if *project.included(&self.db) != included {
                     project.set_included(&mut self.db).to(included);
+                }
+                if *project.configuration(&self.db) != configuration {
+                    project.set_configuration(&mut self.db).to(configuration);
                 }
                 if *project.settings(&self.db) != settings {
                     project.set_settings(&mut self.db).to(settings);
@@ -140,6 +149,30 @@ impl AnalysisHost {
         self.state.files = Arc::new(files);
         self.state.problems = Arc::new(lowered(loaded));
         self.state.manifest.clone_from(&loaded.manifest_file);
+    }
+
+    /// The inputs of configuration files; those that were there before stay the same ones.
+    fn configuration(&mut self, list: &[LoadedFile]) -> Vec<ConfigFile> {
+        let old = std::mem::take(&mut self.state.configuration);
+        let mut files = BTreeMap::new();
+        let mut inputs = Vec::new();
+        for file in list {
+            let input = match old.get(&file.path).copied() {
+                Some(input) => {
+                    if *input.text(&self.db) != file.text {
+                        input.set_text(&mut self.db).to(file.text.clone());
+                    }
+                    input
+                }
+                None => ConfigFile::builder(file.path.clone(), file.text.clone())
+                    .path_durability(Durability::HIGH)
+                    .new(&self.db),
+            };
+            files.insert(file.path.clone(), input);
+            inputs.push(input);
+        }
+        self.state.configuration = Arc::new(files);
+        inputs
     }
 
     fn input(&mut self, old: &BTreeMap<String, SourceFile>, file: &LoadedFile) -> SourceFile {
@@ -186,7 +219,12 @@ impl Analysis {
         self.state.files.get(path).copied()
     }
 
-    /// Mistakes of one file, sorted; `technol.toml` has some too.
+    /// The input of a configuration file by its project path.
+    pub(crate) fn configuration_file(&self, path: &str) -> Option<ConfigFile> {
+        self.state.configuration.get(path).copied()
+    }
+
+    /// Mistakes of one file, sorted; `technol.toml` and configuration files have some too.
     ///
     /// # Errors
     /// A change overtook the question.
@@ -200,8 +238,29 @@ impl Analysis {
             })?;
             found.extend(own);
         }
+        if let Some(file) = self.configuration_file(file) {
+            let own = self.with(|db, project| {
+                project.map_or_else(Vec::new, |project| {
+                    database::configuration_diagnostics(db, project, file).clone()
+                })
+            })?;
+            found.extend(own);
+        }
         found.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         Ok(found)
+    }
+
+    /// The change that allows a diagnostic of a file on its line; `None` when its rule cannot be allowed, or when the
+    /// file is no program text.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn allow(&self, file: &str, diagnostic: &Diagnostic) -> Cancellable<Option<Fix>> {
+        let Some(source) = self.file(file) else { return Ok(None) };
+        self.with(|db, _| {
+            let line = crate::syntax::lines(source.text(db)).nth(diagnostic.span.start.line as usize)?;
+            crate::diagnostics::allow::fix(diagnostic, line.text)
+        })
     }
 
     /// Mistakes of every file that has some, program files in order of execution first.
@@ -220,7 +279,7 @@ impl Analysis {
     }
 
     /// Project paths of everything that can have diagnostics: manifest, program files in order of execution,
-    /// included files, files that could not be read.
+    /// included files, configuration files, files that could not be read.
     ///
     /// # Errors
     /// A change overtook the question.
@@ -229,7 +288,8 @@ impl Analysis {
         let sources = self.with(|db, project| {
             let Some(project) = project else { return Vec::new() };
             let files = project.files(db).iter().chain(project.included(db));
-            files.map(|file| file.path(db).clone()).collect()
+            let configuration = project.configuration(db).iter().map(|file| file.path(db).clone());
+            files.map(|file| file.path(db).clone()).chain(configuration).collect()
         })?;
         paths.extend(sources);
         for (path, _) in self.state.problems.iter() {
@@ -247,6 +307,9 @@ impl Analysis {
     pub fn text(&self, file: &str) -> Cancellable<Option<Arc<str>>> {
         if let Some((_, text)) = self.state.manifest.as_ref().filter(|(path, _)| path == file) {
             return Ok(Some(text.clone()));
+        }
+        if let Some(file) = self.configuration_file(file) {
+            return self.with(|db, _| Some(file.text(db).clone()));
         }
         let Some(source) = self.file(file) else { return Ok(None) };
         self.with(|db, _| Some(source.text(db).clone()))

@@ -10,9 +10,10 @@
 
 pub mod build;
 pub mod catalogue;
+pub mod configuration;
 pub mod database;
 pub mod diagnostics;
-mod explain;
+pub mod explain;
 pub mod expression;
 mod host;
 pub mod ide;
@@ -24,9 +25,11 @@ pub mod syntax;
 pub use build::Built;
 pub use catalogue::Language;
 pub use diagnostics::{Diagnostic, Fix, Severity};
-pub use explain::explain;
 pub use host::{Analysis, AnalysisHost, Cancellable, Change};
-pub use ide::{Completion, CompletionKind, DocumentSymbol, Hover, Reference, SymbolTag, WorkspaceSymbol};
+pub use ide::{
+    Completion, CompletionKind, DocumentSymbol, Hover, Parameter, Reference, SignatureHelp, SymbolTag,
+    WorkspaceSymbol,
+};
 pub use location::{Location, Position, Span};
 pub use salsa::Cancelled;
 pub use semantics::reference::ReferenceAccess;

@@ -98,8 +98,23 @@ fn typing_in_one_mechanism_runs_nothing_of_another() {
             ("section_outline", 1),
             ("section_declarations", 1),
             ("section_analysis", 1),
+            ("section_uses", 1),
+            // BLUE is new in the file: its names are joined and judged again.
+            ("file_uses", 1),
+            ("foreign_uses", 1),
+            ("file_lints", 1),
             ("file_diagnostics", 1),
         ])
+    );
+}
+
+#[test]
+fn typing_that_names_nothing_new_runs_no_lint_of_the_project() {
+    let after = PROGRAM.replace("FL 0,BLUE\n", "FL 0,BLUE\nFL 0,BLUE\n");
+    let ran = executed_by(PROGRAM, &after);
+    assert_eq!(
+        (ran.get("section_uses"), ran.get("file_uses"), ran.get("file_lints")),
+        (Some(&1), None, None)
     );
 }
 
@@ -115,6 +130,7 @@ fn lines_added_above_run_nothing_but_the_outer_edge() {
             ("section_outline", 1),
             ("section_declarations", 1),
             ("section_analysis", 1),
+            ("section_uses", 1),
             ("file_diagnostics", 1),
         ])
     );

@@ -28,6 +28,8 @@ pub(crate) enum Command {
     Dap(DapArguments),
     /// Be a language server on stdio
     Lsp(LspArguments),
+    /// Convert the sources of a project to another encoding
+    Fmt(FmtArguments),
     /// Explain an instruction, a symbol of the control or a diagnostic code
     Explain(ExplainArguments),
     /// Show the whole chain on the lathe example
@@ -159,11 +161,49 @@ pub(crate) struct LspArguments {
     pub(crate) stdio: bool,
 }
 
+/// `technol fmt`
+#[derive(Debug, Args)]
+pub(crate) struct FmtArguments {
+    /// Project folder, technol.toml, or single source files
+    #[arg(default_value = ".")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Encoding the files are written in
+    #[arg(long, value_enum)]
+    pub(crate) encoding: EncodingName,
+    /// Encoding the files have [default: as the project says, else detected]
+    #[arg(long, value_enum, value_name = "ENCODING")]
+    pub(crate) from: Option<EncodingName>,
+    /// Change nothing; exit 1 when a file has another encoding
+    #[arg(long)]
+    pub(crate) check: bool,
+}
+
+/// Encoding of source files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EncodingName {
+    /// UTF-8.
+    #[value(name = "utf-8")]
+    Utf8,
+    /// Windows-1250.
+    #[value(name = "windows-1250")]
+    Windows1250,
+    /// CP852, DOS Latin 2.
+    #[value(name = "cp852")]
+    Cp852,
+}
+
 /// `technol explain`
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
     /// Instruction, keyword, symbol of the control, or code such as T0123
-    pub(crate) name: String,
+    #[arg(required_unless_present_any = ["list", "search"], conflicts_with_all = ["list", "search"])]
+    pub(crate) name: Option<String>,
+    /// List everything there is a page for
+    #[arg(long, conflicts_with = "search")]
+    pub(crate) list: bool,
+    /// List the pages that hold all of these words
+    #[arg(long, value_name = "WORDS")]
+    pub(crate) search: Option<String>,
     /// Language of the page
     #[arg(long, value_enum, default_value = "en")]
     pub(crate) language: Language,

@@ -1,18 +1,34 @@
-//! `technol explain NAME`: the help page of an instruction, a symbol of the control or a diagnostic.
+//! `technol explain`: the help page of an instruction, a symbol of the control or a diagnostic; the list of pages; a
+//! search in them.
 
-use technol_analysis::{Language, explain as page};
+use technol_analysis::explain::{Title, Topic, search, titles};
+use technol_analysis::{Language, explain};
 
 use crate::arguments::{self, ExplainArguments};
 use crate::exit::{self, Failure, Outcome};
 use crate::out::say;
 
-/// Prints the page. Exit 2 when there is none.
+/// Prints a page, or titles. Exit 2 when there is none.
 pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
     let language = match arguments.language {
         arguments::Language::En => Language::En,
         arguments::Language::Cs => Language::Cs,
     };
-    match page(&arguments.name, language) {
+    if arguments.list {
+        return list(&titles(language));
+    }
+    if let Some(words) = &arguments.search {
+        let found = search(words, language);
+        if found.is_empty() {
+            return Err(Failure::usage(format!("no page holds `{words}`; use fewer or shorter words")));
+        }
+        return list(&found);
+    }
+    page(arguments.name.as_deref().unwrap_or_default(), language)
+}
+
+fn page(name: &str, language: Language) -> Outcome {
+    match explain::explain(name, language) {
         Ok(markdown) => {
             say!("{}", markdown.trim_end());
             Ok(exit::OK)
@@ -20,9 +36,24 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
         Err(near) => {
             let hint = match near {
                 Some(near) => format!("did you mean {near}?"),
-                None => "try an instruction (LDR), a symbol (P1IN) or a code (T0101)".to_owned(),
+                None => "try an instruction (LDR), a symbol (P1IN), a code (T0101), or --search".to_owned(),
             };
-            Err(Failure::usage(format!("nothing is known by the name `{}`; {hint}", arguments.name)))
+            Err(Failure::usage(format!("nothing is known by the name `{name}`; {hint}")))
         }
     }
+}
+
+/// One title a line: name, kind, chapter, summary.
+fn list(titles: &[Title]) -> Outcome {
+    let width = titles.iter().map(|title| title.name.chars().count()).max().unwrap_or(0).min(24);
+    for title in titles {
+        let kind = match title.topic {
+            Topic::Instruction => "instruction",
+            Topic::Keyword => "keyword",
+            Topic::Symbol => "symbol",
+            Topic::Rule => "diagnostic",
+        };
+        say!("{:width$}  {kind:11}  {:6}  {}", title.name, title.chapter, title.summary);
+    }
+    Ok(exit::OK)
 }

@@ -88,7 +88,8 @@ impl Project {
 
     /// Text of a file of the project, an included one or the manifest, when it could be read.
     pub(crate) fn text(&self, file: &str) -> Option<&str> {
-        let sources = self.loaded.files.iter().chain(&self.loaded.included).map(|f| (&f.path, &f.text));
+        let sources = self.loaded.files.iter().chain(&self.loaded.included).chain(&self.loaded.configuration);
+        let sources = sources.map(|f| (&f.path, &f.text));
         let manifest = self.loaded.manifest_file.iter().map(|(path, text)| (path, text));
         let machine = self.machine_file.iter().map(|(path, text)| (path, text.as_str()));
         let sources = sources.chain(manifest).map(|(path, text)| (path, &**text));

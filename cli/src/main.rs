@@ -9,6 +9,7 @@ mod demo;
 mod exit;
 mod explain;
 mod files;
+mod fmt;
 mod out;
 mod paint;
 mod run;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         Command::Dap(arguments) => dap::dap(&arguments),
         // `--stdio` only names what happens anyway.
         Command::Lsp(LspArguments { stdio: _ }) => Ok(dap::lsp()),
+        Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Demo(arguments) => demo::demo(&arguments),
     };

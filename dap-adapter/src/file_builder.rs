@@ -24,6 +24,14 @@ impl FileReader for Disk {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         fs::read(path).map_err(|error| error.to_string())
     }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let folder = if folder.is_empty() { "." } else { folder };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let files = entries.filter(|entry| entry.file_type().is_ok_and(|kind| !kind.is_dir()));
+        // A name that is no Unicode cannot be a project path.
+        files.filter_map(|entry| entry.file_name().into_string().ok()).collect()
+    }
 }
 
 impl Builder for FileBuilder {

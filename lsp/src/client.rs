@@ -21,6 +21,8 @@ pub(crate) struct Client {
     pub(crate) versioned_edits: bool,
     /// Diagnostics may point at related places.
     pub(crate) related_places: bool,
+    /// Diagnostics may say that what they mark is superfluous.
+    pub(crate) diagnostic_tags: bool,
     /// Code actions may be literals; otherwise there are none.
     pub(crate) literal_actions: bool,
 }
@@ -50,6 +52,9 @@ impl Client {
             related_places: yes(text
                 .and_then(|it| it.publish_diagnostics.as_ref())
                 .and_then(|it| it.related_information)),
+            diagnostic_tags: text
+                .and_then(|it| it.publish_diagnostics.as_ref())
+                .is_some_and(|it| it.tag_support.is_some()),
             literal_actions: text
                 .and_then(|it| it.code_action.as_ref())
                 .is_some_and(|it| it.code_action_literal_support.is_some()),

@@ -74,9 +74,16 @@ pub(crate) fn to_client(view: &View, file: &str, diagnostic: &Diagnostic) -> lsp
         code: Some(lsp::NumberOrString::String(diagnostic.code.to_owned())),
         source: Some("technol".into()),
         message: diagnostic.message.clone(),
+        tags: (view.client.diagnostic_tags && is_unnecessary(diagnostic))
+            .then(|| vec![lsp::DiagnosticTag::UNNECESSARY]),
         related_information: (!related.is_empty()).then_some(related),
         ..lsp::Diagnostic::default()
     }
+}
+
+/// What is marked does nothing: editors show it faded.
+fn is_unnecessary(diagnostic: &Diagnostic) -> bool {
+    technol_analysis::diagnostics::rule(diagnostic.code).is_some_and(|rule| rule.unnecessary)
 }
 
 /// What the client was told last, so that it is told of every change and of nothing else.

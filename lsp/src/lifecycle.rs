@@ -26,7 +26,11 @@ use crate::transport::Reply;
 const NOT_INITIALIZED: ErrorCode = ErrorCode::ServerError(-32002);
 
 /// Files whose change on the disk matters.
-const WATCHED: [&str; 2] = ["**/technol.toml", "**/*.{plc,inc,PLC,INC}"];
+const WATCHED: [&str; 3] = [
+    "**/technol.toml",
+    "**/*.{plc,inc,PLC,INC}",
+    "**/*.{ChannelConfig,PlcErrors,PlcConstants,PlcConstans,PlcTDef,PlcT,KbdConfig}",
+];
 
 impl MainLoop {
     pub(crate) fn request(&mut self, method: &str, params: Value, reply: Reply) {

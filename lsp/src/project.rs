@@ -80,7 +80,7 @@ impl Project {
         };
         let mut files = Files::new();
         self.names.clear();
-        for file in loaded.files.iter_mut().chain(&mut loaded.included) {
+        for file in loaded.files.iter_mut().chain(&mut loaded.included).chain(&mut loaded.configuration) {
             let key = reader.key_of(FileKey::in_project(&self.root, &file.path));
             if let Some(document) = documents.get(&key) {
                 file.text = document.text.to_string().into();
@@ -223,5 +223,17 @@ impl FileReader for Reader<'_> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text).to_owned();
         self.texts.borrow_mut().insert(key, text);
         Ok(bytes)
+    }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let folder = FileKey::of_path(folder);
+        let entries = std::fs::read_dir(folder.path()).into_iter().flatten().flatten();
+        let files = entries.filter(|entry| entry.file_type().is_ok_and(|kind| !kind.is_dir()));
+        let mut names: BTreeSet<String> =
+            files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+        // A document that was not saved yet is there too.
+        let open = self.documents.keys().filter(|key| key.parent().as_ref() == Some(&folder));
+        names.extend(open.map(|key| key.name().to_owned()));
+        names.into_iter().collect()
     }
 }

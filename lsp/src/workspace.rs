@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use technol_analysis::configuration::ConfigKind;
 use technol_analysis::project::MANIFEST;
 use tower_lsp::ls_types::{TextDocumentContentChangeEvent, Uri};
 
@@ -48,6 +49,11 @@ impl Workspace {
         let mut effects = self.spread(&key);
         if key.name() == MANIFEST {
             effects.reload = self.containing(&key);
+        }
+        if is_configuration(&key) && self.containing(&key).is_empty() {
+            // Perhaps a new file beside the program.
+            let near = self.projects.iter().filter(|(_, it)| it.hangs_on(&key));
+            effects.reload = near.map(|(home, _)| home.clone()).collect();
         }
         self.settle(effects)
     }
@@ -168,7 +174,8 @@ impl Workspace {
         for key in lone {
             let housed =
                 wanted.iter().any(|home| self.projects.get(home).is_some_and(|it| it.contains(&key)));
-            if !housed && key.name() != MANIFEST {
+            // A configuration file outside of every project is no program: nothing is known about it.
+            if !housed && key.name() != MANIFEST && !is_configuration(&key) {
                 let home = Home::File(key);
                 self.ensure(&home, &mut effects);
                 wanted.push(home);
@@ -205,6 +212,10 @@ impl Workspace {
         }
         None
     }
+}
+
+fn is_configuration(key: &FileKey) -> bool {
+    ConfigKind::of_path(key.name()).is_some()
 }
 
 fn is_home_folder(home: &Home) -> bool {

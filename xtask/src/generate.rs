@@ -1,5 +1,6 @@
 //! `cargo xtask generate`: files derived from the catalogue, so that nothing repeats it by hand.
 
+mod book;
 mod case;
 mod language_configuration;
 mod textmate;
@@ -12,7 +13,7 @@ use crate::run::root;
 
 /// A derived file: where it is, and what has to be in it.
 struct Derived {
-    path: &'static str,
+    path: String,
     content: String,
 }
 
@@ -20,7 +21,7 @@ struct Derived {
 pub(crate) fn generate(check: bool) -> Result<(), String> {
     let mut stale = Vec::new();
     for file in derived() {
-        let path = root().join(file.path);
+        let path = root().join(&file.path);
         let present = fs::read_to_string(&path).unwrap_or_default();
         // A checkout may have turned the line ends.
         if present.replace("\r\n", "\n") == file.content {
@@ -29,6 +30,10 @@ pub(crate) fn generate(check: bool) -> Result<(), String> {
         if check {
             stale.push(file.path);
             continue;
+        }
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)
+                .map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
         }
         fs::write(&path, &file.content)
             .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
@@ -41,16 +46,18 @@ pub(crate) fn generate(check: bool) -> Result<(), String> {
 }
 
 fn derived() -> Vec<Derived> {
-    vec![
+    let mut files = vec![
         Derived {
-            path: "editors/vscode/syntaxes/technol.tmLanguage.json",
+            path: "editors/vscode/syntaxes/technol.tmLanguage.json".to_owned(),
             content: json_text(&textmate::grammar()),
         },
         Derived {
-            path: "editors/vscode/language-configuration.json",
+            path: "editors/vscode/language-configuration.json".to_owned(),
             content: json_text(&language_configuration::configuration()),
         },
-    ]
+    ];
+    files.extend(book::pages().into_iter().map(|(path, content)| Derived { path, content }));
+    files
 }
 
 /// JSON with sorted keys, whatever order other users of the JSON library ask it to keep.

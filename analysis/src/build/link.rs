@@ -9,6 +9,7 @@ use technol_image::system;
 
 use super::addresses::Addresses;
 use super::input::{BuildProblem, ProjectInput, SectionInput};
+use super::power_on::with_power_on;
 use super::relocate::Relocation;
 use super::section_code::{NestedCode, ProblemKind};
 use crate::catalogue::SystemSymbol;
@@ -363,7 +364,7 @@ fn empty_program(name: &str, regions: Vec<Region>, layout: &Layout) -> Program {
         timed: Vec::new(),
         messages: Vec::new(),
         procedures: Vec::new(),
-        initial: layout.initial.clone(),
+        initial: with_power_on(&layout.initial),
         init_finished: Vec::new(),
         done_finished: Vec::new(),
     }

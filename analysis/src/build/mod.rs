@@ -20,6 +20,7 @@ pub mod listing;
 mod lower;
 mod mnemonic;
 mod operands;
+mod power_on;
 mod relocate;
 mod section_code;
 mod source_text;

@@ -106,20 +106,27 @@ fn push_operands(page: &mut String, operands: &[OperandSpec], language: Language
     let header = text("| Operand | Kind | Meaning |", "| Operand | Druh | Význam |").in_language(language);
     let _ = write!(page, "\n{header}\n|---|---|---|\n");
     for operand in operands {
-        let mut kind = kind_of(operand.kind, language);
-        for (applies, en, cs) in [
-            (operand.optional, "may be left out", "lze vynechat"),
-            (operand.skippable, "`-` when not given", "`-`, když se nezadává"),
-            (operand.repeatable, "repeatable", "lze opakovat"),
-        ] {
-            if applies {
-                kind.push_str("; ");
-                kind.push_str(text(en, cs).in_language(language));
-            }
-        }
+        let kind = operand_kind(operand, language);
         let help = operand.help.in_language(language);
         let _ = writeln!(page, "| `{}` | {} | {} |", operand.name, escape(&kind), escape(help));
     }
+}
+
+/// What an operand may be, and whether it may be left out, skipped or repeated: Markdown on one line.
+#[must_use]
+pub fn operand_kind(operand: &OperandSpec, language: Language) -> String {
+    let mut kind = kind_of(operand.kind, language);
+    for (applies, en, cs) in [
+        (operand.optional, "may be left out", "lze vynechat"),
+        (operand.skippable, "`-` when not given", "`-`, když se nezadává"),
+        (operand.repeatable, "repeatable", "lze opakovat"),
+    ] {
+        if applies {
+            kind.push_str("; ");
+            kind.push_str(text(en, cs).in_language(language));
+        }
+    }
+    kind
 }
 
 /// A `|` inside a cell of a table.

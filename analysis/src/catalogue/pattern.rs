@@ -75,23 +75,13 @@ pub(super) const WAITING: Entry = Entry {
     ..INSTRUCTION
 };
 
-/// An instruction whose operand rules are not yet modelled; `build` refuses it.
+/// An instruction that `build` refuses.
 pub(super) const UNMODELLED: Entry = Entry { executable: false, ..INSTRUCTION };
 /// The same in DATA.
 pub(super) const UNMODELLED_DATA: Entry = Entry { executable: false, ..DECLARATION };
 /// An instruction of a sequence that takes several cycles.
 pub(super) const MULTI_CYCLE: Entry =
     Entry { ex_type: true, place: Place::Sequence, equation: Equation::Overwrite, ..UNMODELLED };
-
-/// Operands of an instruction whose rules are not yet modelled.
-pub(super) const ANY_OPERANDS: &[OperandSpec] = &[operand(
-    "operands",
-    OperandKind::Any,
-    "As the syntax shows; not checked yet",
-    "Podle syntaxe; zatím se nekontrolují",
-)
-.or_nothing()
-.repeated()];
 
 /// A text in both languages.
 pub(super) const fn text(en: &'static str, cs: &'static str) -> Bilingual {

@@ -3,8 +3,9 @@
 use super::rules::{
     declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules,
 };
-use super::{Anchor, Diagnostic, Finding, Fix, syntax};
+use super::{Anchor, Diagnostic, Finding, Fix, allow, syntax};
 use crate::catalogue;
+use crate::configuration::cross;
 use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::location::{Location, Span};
 use crate::project::IncludeTarget;
@@ -24,6 +25,13 @@ pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Di
     found.extend(structure::check(db, file));
     clashes(db, project, file, &mut found);
     recursion(db, project, file, &mut found);
+    let sections = database::sections(db, file);
+    found.extend(
+        database::file_lints(db, project, file)
+            .iter()
+            .filter_map(|(index, finding)| Some((*sections.get(*index as usize)?, finding.clone()))),
+    );
+    allow::apply(db, file, &mut found);
     let mut diagnostics: Vec<Diagnostic> =
         found.iter().filter_map(|(section, finding)| absolute(db, project, *section, finding)).collect();
     diagnostics.sort_by(|a, b| (a.span, a.code, &a.message).cmp(&(b.span, b.code, &b.message)));
@@ -61,6 +69,7 @@ fn of_section<'db>(
     let overruns =
         analysis.overruns.iter().filter_map(|overrun| Some((section, past(db, project, overrun)?)));
     found.extend(overruns);
+    found.extend(cross::of_section(db, project, section).into_iter().map(|finding| (section, finding)));
     found.extend(
         super::devices::of_section(db, project, analysis).into_iter().map(|finding| (section, finding)),
     );

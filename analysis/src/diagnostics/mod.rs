@@ -4,6 +4,7 @@
 //! leaves it equal. At the outer edge it becomes a [`Diagnostic`] with absolute lines and the severity the
 //! project's `[lints]` ask for.
 
+pub mod allow;
 mod devices;
 pub(crate) mod file;
 pub mod rules;
@@ -86,6 +87,10 @@ pub struct Rule {
     pub wrong: &'static str,
     /// The same text as it should be.
     pub right: &'static str,
+    /// A fix is offered, at least for some of its mistakes; the one in `wrong` has it.
+    pub fix: bool,
+    /// What it marks is superfluous: editors show it faded.
+    pub unnecessary: bool,
     /// Chapter of the manual, for instance `4.3`; empty for lints that the manual does not mention.
     pub chapter: &'static str,
 }
@@ -101,6 +106,8 @@ impl Rule {
         why: "",
         wrong: "",
         right: "",
+        fix: false,
+        unnecessary: false,
         chapter: "",
     };
 }

@@ -1,5 +1,6 @@
 //! What may be written at a position.
 
+mod identifier;
 mod operand;
 mod operation;
 mod request;
@@ -70,7 +71,8 @@ const WITH_PAGES: usize = 40;
 
 /// Words that may stand at a position and hold the letters typed so far, best first: at the place of the operation
 /// the instructions allowed there, in an operand the names of the kinds it takes, behind the dot of an address
-/// bits, behind the dot of a type cells. Nothing in comments, texts and numbers. At most [`MOST_COMPLETIONS`].
+/// bits, behind the dot of a type cells, between apostrophes identifiers of configuration files. Nothing in comments,
+/// other texts and numbers. At most [`MOST_COMPLETIONS`].
 #[must_use]
 pub fn completion(
     db: &dyn Db,
@@ -79,6 +81,9 @@ pub fn completion(
     at: Position,
     language: Language,
 ) -> Vec<Completion> {
+    if let Some(found) = identifier::list(db, project, file, at, language) {
+        return found;
+    }
     let Some(request) = Request::at(db, project, file, at) else { return Vec::new() };
     let mut list = List { typed: request.typed.to_ascii_uppercase(), found: Vec::new() };
     match &request.ask {

@@ -270,3 +270,21 @@ pub(super) fn spelling(db: &dyn Db, project: Project, key: &SymbolKey) -> String
 fn declared<'db>(db: &'db dyn Db, project: Project, sites: &[database::Site<'db>]) -> Option<&'db str> {
     database::declared(db, project, *sites.first()?).map(|declared| declared.name.text.as_str())
 }
+
+/// The formal parameters of a user instruction, as its definition spells them; `None` when nothing of that name is
+/// one.
+pub(super) fn macro_parameters(
+    db: &dyn Db,
+    project: Project,
+    file: SourceFile,
+    name: &str,
+) -> Option<Vec<String>> {
+    let name = NameRef::new(db, Arc::from(crate::syntax::ast::key(name)), file.order(db));
+    let symbol = database::lookup(db, project, name).as_ref().filter(|it| it.kind == SymbolKind::Macro)?;
+    let site = sites(db, project, &symbol.key).first()?;
+    let declared = database::section_declarations(db, site.section).names.get(site.index as usize)?;
+    let text = crate::syntax::lines(site.section.text(db)).nth(declared.line as usize)?.text;
+    let header = text.get(declared.name.columns.end as usize..)?.split(';').next()?;
+    let word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '?' | '@');
+    Some(header.split(|c: char| !word(c)).filter(|word| !word.is_empty()).map(str::to_owned).collect())
+}

@@ -1,5 +1,6 @@
 //! Where a name is declared.
 
+use super::configured;
 use super::cursor::{self, Cursor, Meaning};
 use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::location::{Location, Position, Span};
@@ -8,10 +9,22 @@ use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::reference::{ReferenceAccess, Referent};
 
 /// Declarations of what stands at a position: of a symbol (of its mechanism, for `name_LINE`), of a label, or the
-/// beginning of an included file. Empty for the words of the language and for predefined symbols.
+/// beginning of an included file; of an identifier or message the place in the configuration files. Empty for the words of the language and for predefined symbols.
 #[must_use]
 pub fn definition(db: &dyn Db, project: Project, file: SourceFile, at: Position) -> Vec<Location> {
     let Some(cursor) = Cursor::at(db, project, file, at) else { return Vec::new() };
+    let mut found = of_word(&cursor);
+    if let Some((subject, columns)) =
+        configured::in_section(db, project, cursor.section, cursor.own, at.column)
+    {
+        let here = Location { file: file.path(db).clone(), span: cursor.span(&columns) };
+        found.extend(configured::definition(db, project, &[subject], &here));
+    }
+    found
+}
+
+fn of_word(cursor: &Cursor<'_>) -> Vec<Location> {
+    let (db, project) = (cursor.db, cursor.project);
     match cursor.word().and_then(|word| cursor.meaning(word)) {
         Some(Meaning::Symbol(key)) => symbol(db, project, &key),
         Some(Meaning::Label(key)) => label(db, cursor.section, &key),

@@ -26,6 +26,15 @@ impl FileReader for Memory<'_> {
         let found = self.0.get(path.trim_start_matches('/'));
         found.map(|text| text.clone().into_bytes()).ok_or_else(|| format!("{path} is not in the fixture"))
     }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        let folder = folder.trim_matches('/');
+        let inside = |path: &String| {
+            let (at, name) = path.rsplit_once('/').unwrap_or(("", path));
+            (at == folder).then(|| name.to_owned())
+        };
+        self.0.keys().filter_map(inside).collect()
+    }
 }
 
 /// Loads a fixture.

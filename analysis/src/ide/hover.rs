@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::cursor::{self, Cursor, Meaning};
-use super::describe;
+use super::{configured, describe};
 use crate::catalogue::{self, EntryKind, Language, page};
 use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::location::{Position, Span};
@@ -32,12 +32,29 @@ pub fn hover(
     language: Language,
 ) -> Option<Hover> {
     let cursor = Cursor::at(db, project, file, at)?;
+    let named = configured::in_section(db, project, cursor.section, cursor.own, at.column);
+    let named = named
+        .and_then(|(subject, columns)| Some((configured::page(db, project, &subject, language)?, columns)));
+    let own = of_word(&cursor, language);
+    match (own, named) {
+        (own, None) => own,
+        // The message, then the constant that is its number.
+        (Some(own), Some((page, _))) => {
+            Some(Hover { markdown: format!("{page}\n---\n\n{}", own.markdown), ..own })
+        }
+        (None, Some((markdown, columns))) => Some(Hover { markdown, span: cursor.span(&columns) }),
+    }
+}
+
+/// Help on the word at a position.
+fn of_word(cursor: &Cursor<'_>, language: Language) -> Option<Hover> {
+    let (db, project) = (cursor.db, cursor.project);
     let word = cursor.word()?;
     let markdown = match cursor.meaning(word)? {
         Meaning::Entry(entry) => page::markdown(entry, language),
         Meaning::Symbol(key) => symbol(db, project, &key, language)?,
-        Meaning::Label(key) => label(&cursor, &key, language)?,
-        Meaning::Formal(key) => formal(&cursor, &key, language)?,
+        Meaning::Label(key) => label(cursor, &key, language)?,
+        Meaning::Formal(key) => formal(cursor, &key, language)?,
         Meaning::File(path) => format!("`{path}`\n"),
     };
     Some(Hover { markdown, span: cursor.span(word.columns()) })

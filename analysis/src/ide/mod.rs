@@ -7,8 +7,10 @@ pub mod definition;
 pub mod document_symbols;
 pub mod hover;
 pub mod references;
+pub mod signature_help;
 pub mod workspace_symbols;
 
+mod configured;
 mod cursor;
 mod describe;
 #[cfg(test)]
@@ -23,5 +25,6 @@ pub use definition::definition;
 pub use document_symbols::{DocumentSymbol, document_symbols};
 pub use hover::{Hover, hover};
 pub use references::{Reference, references};
+pub use signature_help::{Parameter, SignatureHelp, signature_help};
 pub use symbol_tag::SymbolTag;
 pub use workspace_symbols::{WorkspaceSymbol, workspace_symbols};

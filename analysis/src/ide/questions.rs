@@ -1,6 +1,6 @@
 //! The features as questions to a snapshot.
 
-use super::{Completion, DocumentSymbol, Hover, Reference, WorkspaceSymbol};
+use super::{Completion, DocumentSymbol, Hover, Reference, SignatureHelp, WorkspaceSymbol};
 use crate::catalogue::Language;
 use crate::database::{Database, Project, SourceFile};
 use crate::location::{Location, Position};
@@ -12,6 +12,11 @@ impl Analysis {
     /// # Errors
     /// A change overtook the question.
     pub fn hover(&self, file: &str, at: Position, language: Language) -> Cancellable<Option<Hover>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                project.and_then(|project| super::configured::hover_in_file(db, project, own, at, language))
+            });
+        }
         self.ask(file, |db, project, source| super::hover(db, project, source, at, language))
     }
 
@@ -20,6 +25,11 @@ impl Analysis {
     /// # Errors
     /// A change overtook the question.
     pub fn definition(&self, file: &str, at: Position) -> Cancellable<Vec<Location>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                project.map_or_else(Vec::new, |it| super::configured::definition_in_file(db, it, own, at))
+            });
+        }
         self.ask(file, |db, project, source| super::definition(db, project, source, at))
     }
 
@@ -33,6 +43,12 @@ impl Analysis {
         at: Position,
         include_declaration: bool,
     ) -> Cancellable<Vec<Reference>> {
+        if let Some(own) = self.configuration_file(file) {
+            return self.with(|db, project| {
+                let all = |it| super::configured::references_in_file(db, it, own, at, include_declaration);
+                project.map_or_else(Vec::new, all)
+            });
+        }
         self.ask(file, |db, project, source| super::references(db, project, source, at, include_declaration))
     }
 
@@ -58,6 +74,19 @@ impl Analysis {
     /// A change overtook the question.
     pub fn completion(&self, file: &str, at: Position, language: Language) -> Cancellable<Vec<Completion>> {
         self.ask(file, |db, project, source| super::completion(db, project, source, at, language))
+    }
+
+    /// The operands of the instruction that is being written at a position.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn signature_help(
+        &self,
+        file: &str,
+        at: Position,
+        language: Language,
+    ) -> Cancellable<Option<SignatureHelp>> {
+        self.ask(file, |db, project, source| super::signature_help(db, project, source, at, language))
     }
 
     /// A question about a file; the empty answer when it does not belong to the project.

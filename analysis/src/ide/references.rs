@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::cursor::{Cursor, Meaning};
-use super::{cursor, definition};
+use super::{configured, cursor, definition};
 use crate::database::{self, Db, Project, Section, SourceFile};
 use crate::location::{Location, Position};
 use crate::semantics::reference::{ReferenceAccess, Referent};
@@ -28,6 +28,12 @@ pub fn references(
 ) -> Vec<Reference> {
     let Some(here) = Cursor::at(db, project, file, at) else { return Vec::new() };
     let mut found = BTreeMap::new();
+    // A constant used as the number of a message: its own uses are asked for. A bare number or text has no other.
+    if let Some((subject, _)) = configured::in_section(db, project, here.section, here.own, at.column)
+        && here.word().is_none()
+    {
+        found = configured::places(db, project, &[subject]);
+    }
     match here.word().and_then(|word| here.meaning(word)) {
         Some(Meaning::Symbol(key)) => {
             let referent = Referent::Symbol(key.clone());
@@ -45,6 +51,16 @@ pub fn references(
         }
         Some(Meaning::File(_) | Meaning::Entry(_)) | None => {}
     }
+    in_order(db, project, found, include_declaration)
+}
+
+/// Places as a list: program files in order of execution, included ones, then the others.
+pub(super) fn in_order(
+    db: &dyn Db,
+    project: Project,
+    mut found: BTreeMap<Location, ReferenceAccess>,
+    include_declaration: bool,
+) -> Vec<Reference> {
     found.retain(|_, access| include_declaration || *access != ReferenceAccess::Declare);
     let order = file_order(db, project);
     let mut list: Vec<_> =

@@ -18,7 +18,7 @@ pub fn load(root_or_file: &str, reader: &dyn FileReader) -> LoadedProject {
     let given = slashes(root_or_file);
     let given = if given == "/" { given.as_str() } else { given.trim_end_matches('/') };
     let mut project = LoadedProject::default();
-    if has_extension(given, "plc") || has_extension(given, "inc") {
+    if is_program(given) {
         project.root = folder(given).to_string();
         let name = given.rsplit('/').next().unwrap_or(given).to_string();
         project.manifest.name = name[..name.len() - 4].to_string();
@@ -32,10 +32,19 @@ pub fn load(root_or_file: &str, reader: &dyn FileReader) -> LoadedProject {
         project.root = root.to_string();
         read_manifest(&mut project, name, reader);
     }
+    let lone = is_program(given);
     let mut loader = Loader { project, reader, open: Vec::new(), done: BTreeSet::new() };
     loader.program_files();
     loader.include_graph();
+    // A lone text belongs to nobody's machine.
+    if !lone {
+        super::configuration::find(&mut loader);
+    }
     loader.project
+}
+
+fn is_program(path: &str) -> bool {
+    has_extension(path, "plc") || has_extension(path, "inc")
 }
 
 /// What to hand to [`load`] for a file: the nearest folder above it whose manifest lists it, or the file itself.
@@ -93,13 +102,13 @@ fn read_manifest(project: &mut LoadedProject, name: &str, reader: &dyn FileReade
     }
 }
 
-fn problem(rule: &'static Rule, span: Span, message: String) -> Diagnostic {
+pub(super) fn problem(rule: &'static Rule, span: Span, message: String) -> Diagnostic {
     Diagnostic { code: rule.code, severity: rule.severity, message, span, related: Vec::new(), fix: None }
 }
 
-struct Loader<'a> {
-    project: LoadedProject,
-    reader: &'a dyn FileReader,
+pub(super) struct Loader<'a> {
+    pub(super) project: LoadedProject,
+    pub(super) reader: &'a dyn FileReader,
     /// Files whose inclusions are being followed, outermost first.
     open: Vec<String>,
     /// Files whose inclusions are known.
@@ -107,7 +116,7 @@ struct Loader<'a> {
 }
 
 impl Loader<'_> {
-    fn manifest_problem(
+    pub(super) fn manifest_problem(
         &mut self,
         rule: &'static Rule,
         entry: &Spanned,
@@ -121,7 +130,7 @@ impl Loader<'_> {
         self.project.problems.last_mut().map(|(_, diagnostic)| diagnostic)
     }
 
-    fn encoding(&self) -> Option<Encoding> {
+    pub(super) fn encoding(&self) -> Option<Encoding> {
         match self.project.manifest.encoding {
             EncodingChoice::Auto => None,
             EncodingChoice::Fixed(encoding) => Some(encoding),

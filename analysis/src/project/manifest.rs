@@ -22,6 +22,8 @@ pub struct Manifest {
     pub include_dirs: Vec<Spanned>,
     /// `[project] system-dir`: folder for T_INCLUDE in apostrophes.
     pub system_dir: Option<Spanned>,
+    /// `[project] configuration`: configuration files, or folders with some; `None`: those beside the program files.
+    pub configuration: Option<Vec<Spanned>>,
     /// `[project] encoding`.
     pub encoding: EncodingChoice,
     /// `[machine] file`: the simulated machine.
@@ -72,6 +74,7 @@ impl Default for Manifest {
             files: Vec::new(),
             include_dirs: Vec::new(),
             system_dir: None,
+            configuration: None,
             encoding: EncodingChoice::Auto,
             machine: None,
             target: "embedded".to_string(),
@@ -132,7 +135,8 @@ pub fn parse_manifest(text: &str) -> (Manifest, Vec<ManifestError>) {
 }
 
 const TABLES: &[&str] = &["project", "machine", "target", "debug", "lints"];
-const PROJECT: &[&str] = &["name", "main", "files", "include-dirs", "system-dir", "encoding"];
+const PROJECT: &[&str] =
+    &["name", "main", "files", "include-dirs", "system-dir", "configuration", "encoding"];
 
 fn unknown_key(key: &str, table: &str, known: &[&str]) -> String {
     let near = crate::semantics::suggest::nearest(key, known.iter().copied());
@@ -187,6 +191,7 @@ impl Reader {
             }
             "include-dirs" => self.manifest.include_dirs = self.texts(entry),
             "system-dir" => self.manifest.system_dir = self.text(entry),
+            "configuration" => self.manifest.configuration = Some(self.texts(entry)),
             "encoding" => self.encoding(entry),
             other => {
                 self.error(
@@ -358,6 +363,7 @@ mod tests {
             files = ["a.plc", "b.plc"]
             include-dirs = ["lib"]
             system-dir = "system"
+            configuration = ["config/Channel0.ChannelConfig"]
             encoding = "cp852"
             [machine]
             file = "machine.toml"
@@ -376,6 +382,8 @@ mod tests {
         assert_eq!(&text[manifest.files[1].span.clone()], "\"b.plc\"");
         assert_eq!(manifest.include_dirs[0].text, "lib");
         assert_eq!(manifest.system_dir.as_ref().map(|d| d.text.as_str()), Some("system"));
+        let configuration = manifest.configuration.iter().flatten().map(|file| file.text.as_str());
+        assert_eq!(configuration.collect::<Vec<_>>(), ["config/Channel0.ChannelConfig"]);
         assert_eq!(manifest.encoding, EncodingChoice::Fixed(Encoding::Cp852));
         assert_eq!(manifest.machine.as_ref().map(|m| m.text.as_str()), Some("machine.toml"));
         assert_eq!(

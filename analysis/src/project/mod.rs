@@ -2,6 +2,7 @@
 //!
 //! Nothing here touches a disk: a [`FileReader`] does, and it belongs to the caller.
 
+mod configuration;
 mod encoding;
 mod include;
 mod load;
@@ -30,6 +31,13 @@ pub trait FileReader {
     /// # Errors
     /// Why it cannot be read, in words.
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
+
+    /// Names of the files in the folder at a `/`-separated path (empty: the current one), in any order. A reader that
+    /// cannot tell answers with none; then configuration files are found only where the manifest names them.
+    fn list(&self, folder: &str) -> Vec<String> {
+        let _ = folder;
+        Vec::new()
+    }
 }
 
 /// A project as read.
@@ -45,6 +53,8 @@ pub struct LoadedProject {
     pub files: Vec<LoadedFile>,
     /// Included files in order of their first inclusion.
     pub included: Vec<LoadedFile>,
+    /// Configuration files, in order of the manifest, else of their names.
+    pub configuration: Vec<LoadedFile>,
     /// Where each T_INCLUDE leads: (path of the including file, spelled name).
     pub includes: BTreeMap<(String, String), IncludeTarget>,
     /// Mistakes in the manifest and in the set of files: project path, mistake.
@@ -71,13 +81,20 @@ pub struct Settings {
     pub name: String,
     /// Every line takes break-points.
     pub debug_everywhere: bool,
+    /// The manifest lists the configuration files: their order is that of the tables.
+    pub configuration_listed: bool,
     /// Severities by code; `None` is off.
     pub lints: BTreeMap<&'static str, Option<Severity>>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { name: String::new(), debug_everywhere: true, lints: BTreeMap::new() }
+        Settings {
+            name: String::new(),
+            debug_everywhere: true,
+            configuration_listed: false,
+            lints: BTreeMap::new(),
+        }
     }
 }
 
@@ -88,6 +105,7 @@ impl LoadedProject {
         Settings {
             name: self.manifest.name.clone(),
             debug_everywhere: self.manifest.debug_everywhere,
+            configuration_listed: self.manifest.configuration.is_some(),
             lints: self.manifest.lints.clone(),
         }
     }

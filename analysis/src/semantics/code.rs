@@ -5,16 +5,17 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::analysis::{Overrun, SectionAnalysis};
+use super::declarations::What;
 use super::equations::Equations;
-use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
+use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey, SymbolScope};
 use super::macros;
 use super::macros::expand::{Call, Expansion};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
-use super::{devices, flow, moves, operands, place, suggest};
+use super::{devices, flow, lints, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
-use crate::diagnostics::rules::{names, operands as operand_rules, sequences, syntax};
+use crate::diagnostics::rules::{lints as lint_rules, names, operands as operand_rules, sequences, syntax};
 use crate::diagnostics::{Finding, Rule, Severity};
 use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, ExprKind, Line, Name};
@@ -48,6 +49,7 @@ pub(crate) fn analyse(db: &dyn Db, project: Project, section: Section<'_>) -> Se
         waiting: Vec::new(),
         equations: Equations::default(),
         loaded: moves::Loaded::default(),
+        registers: lints::registers::Registers::default(),
         unreadable: false,
         too_large: false,
         misplaced: false,
@@ -81,6 +83,7 @@ pub(super) struct CodeReader<'db> {
     waiting: Vec<Arc<str>>,
     pub(super) equations: Equations,
     loaded: moves::Loaded,
+    registers: lints::registers::Registers,
     /// A line could not be read: what flows through the section is a guess.
     pub(super) unreadable: bool,
     /// A call was reported as too large.
@@ -186,6 +189,7 @@ impl<'db> CodeReader<'db> {
             self.refer(label.columns.clone(), Referent::Label(key.clone()), ReferenceAccess::Declare);
             self.waiting.push(key);
             self.loaded = moves::Loaded::default();
+            self.registers = lints::registers::Registers::default();
         }
         if broken {
             self.clean = false;
@@ -339,8 +343,10 @@ impl<'db> CodeReader<'db> {
         }
         let resolved = operands::resolve(self, entry, line);
         if self.clean {
-            if let Some((rule, message)) = self.loaded.step(entry, &resolved) {
-                let columns = line.operands.first().map_or(0..0, |operand| operand.columns.clone());
+            let found = [self.loaded.step(entry, &resolved), self.registers.step(entry, &resolved)];
+            for (rule, message) in found.into_iter().flatten() {
+                let columns =
+                    line.operands.first().map_or(&operation.columns, |operand| &operand.columns).clone();
                 self.report(rule, columns, message);
             }
             self.calls(&resolved, line);
@@ -396,7 +402,13 @@ impl<'db> CodeReader<'db> {
             let labels = std::mem::take(&mut self.labels);
             let found = flow::check(&self.out.body, &self.parsed.lines, &labels, self.unreadable);
             self.out.findings.extend(found);
-            let devices = devices::check(&self.out.body, &self.parsed.lines, self.section.kind(self.db));
+            let lines = &self.parsed.lines;
+            if !self.unreadable && self.out.body.complete {
+                let kind = self.section.kind(self.db);
+                let code = lints::Code { kind, body: &self.out.body, lines, labels: &labels };
+                self.out.findings.extend(lints::section(&code));
+            }
+            let devices = devices::check(&self.out.body, lines, self.section.kind(self.db));
             // What an instruction with a mistake means is not known.
             let wrong: BTreeSet<u32> =
                 self.out.findings.iter().filter(|f| f.blocks()).map(|f| f.line).collect();
@@ -425,6 +437,7 @@ impl<'db> CodeReader<'db> {
         if let Some(symbol) = self.symbol(&name.text) {
             let symbol = symbol.clone();
             self.refer(name.columns.clone(), Referent::Symbol(symbol.key.clone()), access);
+            self.read_only(name, &symbol, access);
             if symbol.kind == SymbolKind::Unknown {
                 self.clean = false;
                 return None;
@@ -433,6 +446,19 @@ impl<'db> CodeReader<'db> {
         } else {
             self.unknown(name);
             None
+        }
+    }
+
+    /// A write to a cell that only the control writes.
+    fn read_only(&mut self, name: &Name, symbol: &Symbol, access: ReferenceAccess) {
+        let writes = matches!(access, ReferenceAccess::Write | ReferenceAccess::ReadWrite);
+        if !writes || symbol.key.scope != SymbolScope::System {
+            return;
+        }
+        let system = catalogue::symbol(&symbol.key.name);
+        if system.is_some_and(|system| system.direction == catalogue::Direction::CncToPlc) {
+            let message = format!("the control writes {}, the program only reads it", name.text);
+            self.report(&lint_rules::READ_ONLY_CELL, name.columns.clone(), message);
         }
     }
 
@@ -472,16 +498,38 @@ impl<'db> CodeReader<'db> {
             return Some(key);
         }
         let near = suggest::nearest(&name.text, self.labels.keys().map(|key| &**key));
-        let message = match near {
-            Some(near) => format!("there is no label {} in this section; did you mean {near}?", name.text),
-            None => format!("there is no label {} in this module, mechanism or procedure", name.text),
+        let elsewhere = self.section_with_label(&key);
+        let message = match (&elsewhere, near) {
+            (Some(place), _) => {
+                format!("the label {} stands in {place}; a jump does not leave its section", name.text)
+            }
+            (None, Some(near)) => {
+                format!("there is no label {} in this section; did you mean {near}?", name.text)
+            }
+            (None, None) => format!("there is no label {} in this module, mechanism or procedure", name.text),
         };
+        let near = near.filter(|_| elsewhere.is_none());
         let mut finding = Finding::new(&names::UNKNOWN_LABEL, self.line, name.columns.clone(), message);
         if let Some(near) = near {
             finding = finding.replace(format!("write {near}"), name.columns.clone(), near);
         }
         self.push_finding(finding);
         None
+    }
+
+    /// The other section of this file where a label stands.
+    fn section_with_label(&self, key: &str) -> Option<String> {
+        let sections = database::sections(self.db, self.section.file(self.db));
+        let other = sections.iter().filter(|other| **other != self.section).find(|other| {
+            let names = &database::section_declarations(self.db, **other).names;
+            names.iter().any(|declared| declared.what == What::Label && declared.name.key() == key)
+        })?;
+        Some(match other.kind(self.db) {
+            SectionKind::Module(kind) => kind.keyword().to_string(),
+            SectionKind::Mechanism => format!("the mechanism {}", other.name(self.db)),
+            SectionKind::Procedure => format!("the procedure {}", other.name(self.db)),
+            _ => "another section".to_string(),
+        })
     }
 
     pub(super) fn refer(&mut self, columns: Columns, referent: Referent, access: ReferenceAccess) {

@@ -7,7 +7,7 @@ use super::declarations::{
     Declarations, Declared, Exports, IncludeLine, LengthOf, MacroLine, Overlay, Storage, What,
 };
 use super::macros::definition::Flags;
-use crate::catalogue;
+use crate::catalogue::{self, SystemKind};
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::declarations as rules;
 use crate::syntax::ParsedLines;
@@ -182,6 +182,7 @@ impl Reader {
 
     pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
+        self.check_system(line, &name, &what);
         self.found.names.push(Declared { name, line, what });
         self.found.names.len() as u32 - 1
     }
@@ -194,6 +195,17 @@ impl Reader {
         if is_reserved(&name.text) {
             let message = format!("{} is also an instruction or keyword; rename it", name.text);
             self.report(&rules::NAME_LIKE_INSTRUCTION, line, name.columns.clone(), message);
+        }
+    }
+
+    /// Memory under the name of a predefined cell. Bit positions and members have no memory that could be hidden.
+    fn check_system(&mut self, line: u32, name: &Name, what: &What) {
+        let memory =
+            matches!(what, What::Bit { .. } | What::Cell { .. } | What::Area { .. } | What::Text { .. });
+        let Some(system) = catalogue::symbol(&name.text).filter(|_| memory) else { return };
+        if !matches!(system.kind, SystemKind::FormalBit { .. } | SystemKind::Member { .. }) {
+            let message = format!("{} is also a predefined name of the control; rename it", name.text);
+            self.report(&rules::HIDES_SYSTEM_SYMBOL, line, name.columns.clone(), message);
         }
     }
 
@@ -464,7 +476,7 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
 fn is_reserved(name: &str) -> bool {
     // 80386 instructions known by name only are no obstacle: LOOP, TEST and OUT are good names.
     let taken = |entry: &catalogue::Entry| {
-        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only()
+        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only() && !entry.is_contextual()
     };
     catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()

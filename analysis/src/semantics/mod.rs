@@ -3,7 +3,8 @@
 //! `collect` reads what a section declares, `program` joins that to the scope of the project, `code` walks the lines
 //! of a section and asks the others: `place` where an instruction may stand, `operands`, `address`, `sum`,
 //! `bits`, `data` and `moves` what its operands mean, `equations` and `flow` what happens between lines. `structure` looks at whole
-//! files, `devices` at uses of tables, buses and axes that hardly do what was meant.
+//! files, `lints` at what an expert would remark, `devices` at uses of tables, buses and axes that hardly do what was
+//! meant.
 
 pub mod analysis;
 pub(crate) mod code;
@@ -12,6 +13,7 @@ pub mod constant;
 pub mod declarations;
 pub mod hir;
 pub mod layout;
+pub mod lints;
 pub mod macros;
 pub mod program;
 pub mod recursion;

@@ -5,11 +5,14 @@ use technol_image::op::Width;
 use super::address::Shape;
 use super::code::CodeReader;
 use super::hir::Operand;
-use super::scope::Symbol;
+use super::scope::{Symbol, SymbolKind};
 use crate::catalogue::{Effect, Entry};
 use crate::diagnostics::Rule;
-use crate::diagnostics::rules::operands as rules;
+use crate::diagnostics::rules::{lints, operands as rules};
 use crate::syntax::ast::{Expr, Line};
+
+/// Most characters of the buffer for a number (manual 3.18).
+const MOST_DIGITS: u32 = 10;
 
 /// Checks the operands of a line against each other; each of them is valid by itself. The prefix of a counter is
 /// handed on to the time that it covers.
@@ -19,6 +22,7 @@ pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, res
         "TIM" | "TEX0" | "TEX1" => covered_time(reader, line, resolved),
         "MV" => copied(reader, line, resolved),
         "RL" | "RR" => shift(reader, line, resolved),
+        "BINSTR" | "BCDSTR" => number_text(reader, entry, line, resolved),
         "CLEAR" => cleared(reader, line, resolved),
         _ => {}
     }
@@ -62,6 +66,19 @@ fn covered_time(reader: &mut CodeReader<'_>, line: &Line, resolved: &mut [Operan
             );
             reader.report(&rules::PREFIX_COVERS_TIME, time.columns.clone(), message);
         }
+        (None, Operand::Integer { value, .. }) if *of_counter == Width::Byte && *value > 0xFF => {
+            let message =
+                format!("a BYTE counts to 255 and never reaches {value}; declare the counter with DS 2");
+            reader.report(&lints::COUNTER_TOO_NARROW, time.columns.clone(), message);
+        }
+        (None, Operand::Cell { width, .. }) if *width != Width::DWord && width != of_counter => {
+            let message = format!(
+                "the counter is {}, the time {}; both must have one type",
+                name(*of_counter),
+                name(*width)
+            );
+            reader.report(&rules::DIFFERENT_TYPES, time.columns.clone(), message);
+        }
         (None, time_operand) => untyped_time(reader, time, Some(time_operand)),
         _ => {}
     }
@@ -103,6 +120,21 @@ fn cleared(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
         let message = "CLEAR takes two cells of one data area, or GLOBAL,ALL, or INTERNAL,ALL";
         let columns = line.operands[0].columns.start..line.operands[1].columns.end;
         reader.report(&rules::OPERAND_KIND, columns, message);
+    }
+}
+
+/// The buffer of BINSTR and BCDSTR.
+fn number_text(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, resolved: &[Operand]) {
+    for (operand, expr) in resolved.iter().zip(&line.operands) {
+        let Operand::Area { address, .. } = operand else { continue };
+        let symbol = reader.symbol(&address.symbol.name);
+        if let Some(Symbol { kind: SymbolKind::Text { len }, .. }) = symbol
+            && *len > MOST_DIGITS
+        {
+            let message =
+                format!("{} takes a buffer of 1 to {MOST_DIGITS} characters, this one has {len}", entry.name);
+            reader.report(&lints::NUMBER_TEXT_SIZE, expr.columns.clone(), message);
+        }
     }
 }
 

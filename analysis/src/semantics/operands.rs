@@ -13,7 +13,7 @@ use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
 use super::{alternatives, bits, data, identifiers, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
-use crate::diagnostics::rules::{declarations, names, operands as rules};
+use crate::diagnostics::rules::{declarations, lints, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
 
 /// Resolves the operands of a line and checks them against each other.
@@ -141,6 +141,13 @@ fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
         return;
     }
     let Some(Operand::Area { address, .. }) = data::area(reader, expr, Access::ReadWrite) else { return };
+    let sites = crate::database::sites(reader.db, reader.project).get(&address.symbol);
+    let file = reader.section.file(reader.db);
+    if sites.is_some_and(|sites| sites.iter().all(|site| site.section.file(reader.db) != file)) {
+        let message =
+            format!("{} is declared in another file; declare the buffer there", address.symbol.name);
+        reader.report(&lints::OVERLAY_ELSEWHERE, expr.columns.clone(), message);
+    }
     let own =
         line.label.as_ref().and_then(|label| reader.symbol(&label.text)).map(|symbol| symbol.kind.clone());
     let under = reader.symbol(&address.symbol.name).cloned();

@@ -6,7 +6,7 @@ use super::suggest;
 use crate::catalogue::{self, EntryKind};
 use crate::database::{self, Db, Section, SourceFile};
 use crate::diagnostics::Finding;
-use crate::diagnostics::rules::{macros, structure as rules};
+use crate::diagnostics::rules::{lints, macros, structure as rules};
 use crate::syntax::ast::{Columns, ExprKind, Line};
 use crate::syntax::section::SectionKind;
 
@@ -56,6 +56,8 @@ pub struct Outline {
     misspelled: Vec<&'static str>,
     /// STOP lines.
     stops: Vec<(u32, Columns)>,
+    /// DEBUG lines, and whether they switch break-points on.
+    debugs: Vec<(u32, Columns, bool)>,
     /// Last line with an operation.
     last: Option<(u32, Columns)>,
 }
@@ -72,6 +74,8 @@ pub(crate) fn outline(lines: &[Line]) -> Outline {
                     outline.ends.push((at.0, at.1.clone(), entry.name.to_string(), first_name(line)));
                 } else if entry.name == "STOP" {
                     outline.stops.push(at.clone());
+                } else if entry.name == "DEBUG" {
+                    outline.debugs.push((at.0, at.1.clone(), first_name(line) != "OFF"));
                 }
             }
             Some(_) => {}
@@ -94,6 +98,7 @@ pub(crate) fn check(db: &dyn Db, file: SourceFile) -> Vec<(Section<'_>, Finding)
     check.unclosed(&strays, &misspelled);
     check.wrong_ends();
     check.report_strays(&strays, &misspelled);
+    check.debug_left_on();
     if let Some(order) = file.order(db) {
         check.modules(order, &strays, &misspelled);
         check.data_first();
@@ -309,6 +314,20 @@ impl<'db> Check<'db> {
             let message = format!("DATA must stand before {}", opening(top.kind(self.db)));
             let finding = Finding::new(&rules::DATA_NOT_FIRST, 0, self.opening_columns(*data), message);
             self.add(*data, finding);
+        }
+    }
+
+    /// The last DEBUG of the file, when it switches break-points on.
+    fn debug_left_on(&mut self) {
+        let last = self
+            .sections
+            .iter()
+            .flat_map(|section| self.outline(*section).debugs.iter().map(move |debug| (*section, debug)))
+            .max_by_key(|(section, (line, ..))| file_line(self.db, *section, *line));
+        if let Some((section, (line, columns, true))) = last {
+            let message =
+                "break-points stay possible to the end of the file; close the region with DEBUG OFF";
+            self.add(section, Finding::new(&lints::DEBUG_LEFT_ON, *line, columns.clone(), message));
         }
     }
 

@@ -62,7 +62,7 @@ fn symbols_are_as_declared_with_scope_and_place() {
     let again = find("again");
     assert_eq!(again.kind, SymbolKind::Label { pc: program.sequences[0].resume[0] });
     assert_eq!(again.scope, Scope::File(0));
-    assert_eq!(program.initial[0].bytes, b"abc");
+    assert_eq!(program.initial.last().expect("the text").bytes, b"abc");
     // Of the predefined symbols only those that occur.
     let predefined: Vec<&Symbol> = debug.symbols.iter().filter(|s| s.scope == Scope::System).collect();
     assert_eq!(predefined.len(), 1);

@@ -34,8 +34,8 @@ fn a_counter_must_be_able_to_reach_its_time() {
     let text = refusal("C: DS 1\nW: DS 2\n", main);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 2, "{text}");
-    assert!(lines[0].starts_with("main.plc:7:1 ") && lines[0].contains("can never reach 300"), "{text}");
-    assert!(lines[1].starts_with("main.plc:9:1 ") && lines[1].contains("different types"), "{text}");
+    assert!(lines[0].starts_with("main.plc:7:7 T1146 ") && lines[0].contains("never reaches 300"), "{text}");
+    assert!(lines[1].starts_with("main.plc:9:7 T0412 ") && lines[1].contains("one type"), "{text}");
 }
 
 #[test]

@@ -73,6 +73,8 @@ async function startServer(): Promise<void> {
       { scheme: "untitled", language: "technol" },
       // The manifest gets its diagnostics while it is typed.
       { scheme: "file", pattern: "**/technol.toml" },
+      // So do the configuration files of the machine, whatever language the editor takes them for.
+      { scheme: "file", pattern: "**/*.{ChannelConfig,PlcErrors,PlcConstants,PlcConstans,PlcTDef,PlcT,KbdConfig}" },
     ],
     initializationOptions: initializationOptions({ language }),
   };

@@ -30,11 +30,14 @@ impl Feature for CodeActions {
         let mut actions = Vec::new();
         for diagnostic in view.analysis.diagnostics(&view.file)? {
             let range = view.range_here(diagnostic.span);
-            if let Some(fix) = &diagnostic.fix
-                && range.start <= params.range.end
-                && params.range.start <= range.end
-            {
-                actions.push(action(view, &params.text_document.uri, &diagnostic, fix));
+            if range.start > params.range.end || params.range.start > range.end {
+                continue;
+            }
+            if let Some(fix) = &diagnostic.fix {
+                actions.push(action(view, &params.text_document.uri, &diagnostic, fix, true));
+            }
+            if let Some(fix) = view.analysis.allow(&view.file, &diagnostic)? {
+                actions.push(action(view, &params.text_document.uri, &diagnostic, &fix, false));
             }
         }
         Ok(Some(actions))
@@ -47,13 +50,14 @@ fn wants_quick_fixes(context: &CodeActionContext) -> bool {
     })
 }
 
-fn action(view: &View, uri: &Uri, diagnostic: &Diagnostic, fix: &Fix) -> CodeActionOrCommand {
+/// `remedy`: it corrects the mistake, so that an editor may apply it unasked.
+fn action(view: &View, uri: &Uri, diagnostic: &Diagnostic, fix: &Fix, remedy: bool) -> CodeActionOrCommand {
     CodeActionOrCommand::CodeAction(CodeAction {
         title: fix.title.clone(),
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: Some(vec![diagnostics::to_client(view, &view.file, diagnostic)]),
         edit: Some(workspace_edit(view, uri, fix)),
-        is_preferred: Some(true),
+        is_preferred: Some(remedy),
         ..CodeAction::default()
     })
 }

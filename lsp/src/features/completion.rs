@@ -23,8 +23,10 @@ impl Feature for Completions {
         let [view] = views else { return Ok(None) };
         let position = view.position(params.text_document_position.position);
         let found = view.analysis.completion(&view.file, position, view.language)?;
+        // A full list was cut: the editor asks again when more letters are typed.
+        let is_incomplete = found.len() >= technol_analysis::ide::MOST_COMPLETIONS;
         let items = found.into_iter().enumerate().map(|(rank, it)| item(view, rank, it)).collect();
-        Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: false, items })))
+        Ok(Some(CompletionResponse::List(CompletionList { is_incomplete, items })))
     }
 }
 

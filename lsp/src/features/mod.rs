@@ -7,6 +7,7 @@ mod document_symbols;
 mod highlights;
 mod hover;
 mod references;
+mod signature_help;
 mod symbol_kind;
 #[cfg(test)]
 mod test_requests;
@@ -62,6 +63,7 @@ pub(crate) const ROUTES: &[Route] = &[
     route::<highlights::Highlights>(),
     route::<hover::HoverHelp>(),
     route::<references::FindReferences>(),
+    route::<signature_help::Signatures>(),
     route::<workspace_symbols::WorkspaceSymbols>(),
     #[cfg(test)]
     route::<test_requests::Stumble>(),

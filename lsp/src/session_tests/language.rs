@@ -50,7 +50,10 @@ fn range(value: &Value) -> String {
 #[test]
 fn a_sound_program_has_no_diagnostics_and_mistakes_come_and_go_with_the_text() {
     let mut client = with(
-        &program("        DFM ON_LAMP,,,,,,,\n", "        LDR ON_LAMP\n        WR ON_LAMP\n"),
+        &program(
+            "        DFM ON_LAMP,,,,,,,\n",
+            "        LDR ON_LAMP\n        WR ON_LAMP\n        LDR ON_LAMP\n        FL1 0,ON_LAMP\n",
+        ),
         &json!(null),
     );
     assert_eq!(client.diagnostics(DOCUMENT, Some(1)), Vec::<String>::new());
@@ -181,8 +184,28 @@ fn completion_offers_what_fits_and_replaces_the_word() {
 }
 
 #[test]
+fn what_nobody_uses_is_faded_where_the_client_can() {
+    let text = program("OLD:    DS 2\n", "");
+    for (abilities, tags) in
+        [(json!({ "tagSupport": { "valueSet": [1, 2] } }), json!([1])), (json!({}), Value::Null)]
+    {
+        let capabilities = json!({ "textDocument": { "publishDiagnostics": abilities } });
+        let mut client = Client::start(None, &capabilities, &json!(null));
+        client.open(DOCUMENT, 1, &text);
+        let message = client.wait_until(|it| {
+            it["method"] == "textDocument/publishDiagnostics" && it["params"]["version"] == json!(1)
+        });
+        let found = &message["params"]["diagnostics"][0];
+        assert_eq!((&found["code"], &found["severity"], &found["tags"]), (&json!("T1133"), &json!(4), &tags));
+    }
+}
+
+#[test]
 fn a_fix_comes_as_an_edit_of_the_version_it_is_for() {
-    let mut client = with(&program("CELL:   DS 2\n", "        LOD CNTS.5\n        STO CELL\n"), &json!(null));
+    let mut client = with(
+        &program("CELL:   DS 2\n", "        LOD CNTS.5\n        STO CELL\n        LOD CELL\n"),
+        &json!(null),
+    );
     assert_eq!(client.diagnostics(DOCUMENT, Some(1)), ["T0112 4:12-16"]);
     let here = json!({ "start": { "line": 4, "character": 13 }, "end": { "line": 4, "character": 13 } });
     let asked = |range: &Value, context: Value| json!({ "textDocument": { "uri": DOCUMENT }, "range": range, "context": context });
@@ -192,6 +215,10 @@ fn a_fix_comes_as_an_edit_of_the_version_it_is_for() {
     let change = &action["edit"]["documentChanges"][0];
     assert_eq!(change["textDocument"], json!({ "uri": DOCUMENT, "version": 1 }));
     assert_eq!(change["edits"][0]["newText"], "CNST");
+    // The other way: to let it stand.
+    assert_eq!(actions[1]["title"], "allow T0112 misspelled-prefix here");
+    assert_eq!(actions[1]["edit"]["documentChanges"][0]["edits"][0]["newText"], " ;technol: allow(T0112)");
+    assert_eq!(actions.as_array().map(Vec::len), Some(2), "{actions}");
     let elsewhere = json!({ "start": { "line": 5, "character": 0 }, "end": { "line": 6, "character": 0 } });
     assert_eq!(
         client.request("textDocument/codeAction", &asked(&elsewhere, json!({ "diagnostics": [] }))),

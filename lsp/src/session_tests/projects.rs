@@ -222,3 +222,36 @@ fn folders_come_and_go() {
     client.notify("workspace/didChangeWorkspaceFolders", &event(&json!([]), &this));
     assert_eq!(client.diagnostics(&second, None), Vec::<String>::new());
 }
+
+const ERRORS: &str = "<PlcErrors>\n <PlcError No=\"5\" Type=\"Err\" Validity=\"Transient\">\n  <Text>Door</Text>\n </PlcError>\n</PlcErrors>\n";
+
+#[test]
+fn configuration_files_are_checked_as_they_are_typed() {
+    let folder = project();
+    let second = SECOND.replace("WR LAMP", "ESET1 5");
+    write(folder.path(), &[("second.plc", &second), ("Plc0.PlcErrors", ERRORS)]);
+    let mut client = start(&folder, &json!({}));
+    let (program, errors) = (uri(&folder, "second.plc"), uri(&folder, "Plc0.PlcErrors"));
+    client.open(&program, 1, &second);
+    assert_eq!(client.diagnostics(&program, Some(1)), Vec::<String>::new());
+    let found = client.request("textDocument/definition", &at(&program, 4, 15));
+    assert_eq!(found[0]["uri"], errors);
+    client.open(&errors, 1, ERRORS);
+    assert_eq!(client.diagnostics(&errors, Some(1)), Vec::<String>::new());
+    client.edit(&errors, 2, (1, 15, 1, 16), "6");
+    assert_eq!(client.diagnostics(&program, Some(1)), ["T0921 4:14-15"]);
+    assert_eq!(client.diagnostics(&errors, Some(2)), ["T0914 1:15-16"]);
+    client.edit(&errors, 3, (1, 15, 1, 17), "5");
+    assert_eq!(client.diagnostics(&program, Some(1)), Vec::<String>::new());
+    assert_eq!(client.diagnostics(&errors, Some(3)), ["T0901 1:23-24"]);
+}
+
+#[test]
+fn a_configuration_file_of_no_project_is_no_program() {
+    let folder = TempDir::new().unwrap();
+    write(folder.path(), &[("Plc0.PlcErrors", ERRORS)]);
+    let mut client = start(&folder, &json!({}));
+    let errors = uri(&folder, "Plc0.PlcErrors");
+    client.open(&errors, 1, ERRORS);
+    assert_eq!(client.request("textDocument/hover", &at(&errors, 1, 3)), json!(null));
+}

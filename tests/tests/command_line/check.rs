@@ -73,7 +73,11 @@ fn without_a_path_the_project_is_the_present_folder() {
 
 #[test]
 fn a_mistake_is_one_json_object_a_line_and_ends_with_1() {
-    let source = program("CTL: DFM DOOR,,,,,,,\nVALUE: DS 2", " LDR DOR\n WR DOOR\n STO VALUE2", "");
+    let source = program(
+        "CTL: DFM DOOR,,,,,,,\nVALUE: DS 2",
+        " LDR DOR\n WR DOOR\n STO VALUE2\n LDR DOOR\n FL1 0,DOOR\n LOD VALUE\n STO VALUE",
+        "",
+    );
     let folder = Folder::lone(&source);
     let path = folder.path("plc.plc");
     let ran = found(&path);
@@ -105,7 +109,7 @@ fn a_mistake_is_one_json_object_a_line_and_ends_with_1() {
 
 #[test]
 fn warnings_alone_end_with_0_and_lints_change_severities() {
-    let source = program("VALUE: DS 1", " LOD VALUE\n EQ CNST.255\n JL0 L\n NOP\nL:", "");
+    let source = program("VALUE: DS 1", " LOD VALUE\n EQ CNST.255\n JL0 L\n INR\nL:\n STO VALUE", "");
     let manifest = |lints: &str| format!("[project]\nmain = \"main.plc\"\n[lints]\n{lints}\n");
     let folder = Folder::with(&[("main.plc", source.as_bytes()), ("technol.toml", manifest("").as_bytes())]);
     let ran = found(&folder.path(""));

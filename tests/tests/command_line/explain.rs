@@ -31,3 +31,24 @@ fn what_is_not_known_ends_with_2_and_a_suggestion() {
     run(&["explain", ""]).failed(2, &[]);
     run(&["explain", "LDR", "--language", "de"]).failed(2, &["en", "cs"]);
 }
+
+#[test]
+fn the_list_names_every_kind_of_page() {
+    let list = run(&["explain", "--list"]).ok();
+    for line in ["LDR ", "CNST. ", "P1IN ", "T0301 "] {
+        assert!(list.lines().any(|it| it.starts_with(line)), "{line}");
+    }
+    assert_ne!(list, run(&["explain", "--list", "--language", "cs"]).ok());
+}
+
+#[test]
+fn a_search_lists_what_holds_all_the_words() {
+    let found = run(&["explain", "--search", "timeout"]).ok();
+    assert!(found.lines().any(|it| it.starts_with("TEX0 ")), "{found}");
+    assert!(!found.contains("DIVB "), "{found}");
+    let czech = run(&["explain", "--search", "hlaseni", "--language", "cs"]).ok();
+    assert!(czech.lines().any(|it| it.starts_with("ESET ")), "{czech}");
+    run(&["explain", "--search", "qqqqqq"]).failed(2, &["qqqqqq"]);
+    run(&["explain", "--search", "a", "--list"]).failed(2, &["--list"]);
+    run(&["explain"]).failed(2, &["NAME"]);
+}

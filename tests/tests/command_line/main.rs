@@ -11,6 +11,7 @@ mod build;
 mod check;
 mod demo;
 mod explain;
+mod fmt;
 mod ran;
 mod run;
 mod target;

@@ -1,6 +1,16 @@
-//! The rules, one file per group, and their registry.
+//! The rules, one file each in the folder of its group, and their registry.
+//!
+//! `wrong` and `right` of a [`Rule`] are parts of a program; a test completes and checks them:
+//! - Lines without a module stand in MODULE_MAIN of a complete program, whose DATA declares START, DOOR, LIMIT, READY,
+//!   FAULT, MOTOR, PUMP, LAMP, VALVE and M0 to M7 (bits), SMALL (BYTE), MIDDLE (WORD), LARGE (DWORD), RATIO (8 bytes),
+//!   TABLE (30 bytes) and the constant TEN.
+//! - When a DATA or MODULE_ section is among the lines, each section replaces the one of its name, and what stands between
+//!   them goes before DATA.
+//! - `;=== name.ext` begins a further file of the project; `;=== main.plc` a main file that is complete as it is.
 
+pub mod allow;
 pub mod build;
+pub mod configuration;
 pub mod declarations;
 pub mod equations;
 pub mod lints;
@@ -12,6 +22,8 @@ pub mod project;
 pub mod sequences;
 pub mod structure;
 pub mod syntax;
+
+mod page;
 
 use super::Rule;
 
@@ -106,6 +118,36 @@ pub static RULES: &[&Rule] = &[
     &build::NOT_EXECUTABLE,
     &build::TOO_LARGE,
     &build::NOT_TRANSLATABLE,
+    &configuration::BROKEN_CONFIGURATION,
+    &configuration::DOCUMENT_TYPE,
+    &configuration::UNKNOWN_ELEMENT,
+    &configuration::UNKNOWN_ATTRIBUTE,
+    &configuration::WRONG_CONFIGURATION_VALUE,
+    &configuration::MISSING_ATTRIBUTE,
+    &configuration::DUPLICATE_IDENTIFIER,
+    &configuration::MESSAGE_TEXT,
+    &configuration::TABLE_COUNT,
+    &configuration::UNKNOWN_IDENTIFIER,
+    &configuration::IDENTIFIER_TYPE,
+    &configuration::CONSTANT_TOO_WIDE,
+    &configuration::UNUSED_IDENTIFIER,
+    &configuration::IDENTIFIER_FORM,
+    &configuration::UNKNOWN_MESSAGE,
+    &configuration::MESSAGE_VALUES,
+    &configuration::MESSAGE_VALIDITY,
+    &configuration::MESSAGE_STAYS,
+    &configuration::UNKNOWN_TABLE,
+    &configuration::UNKNOWN_COLUMN,
+    &configuration::TABLE_VALUE,
+    &configuration::COLUMN_TYPE,
+    &configuration::UNKNOWN_COMMAND,
+    &configuration::COMMAND_IGNORED,
+    &configuration::UNKNOWN_COMMAND_CODE,
+    &configuration::UNKNOWN_LOGICAL_ELEMENT,
+    &configuration::CONNECTION_DIRECTION,
+    &configuration::CONVERSION_WITHOUT_EFFECT,
+    &configuration::NOT_CONNECTED,
+    &configuration::UNKNOWN_PORT,
     &macros::MACRO_ARGUMENTS,
     &macros::MACRO_REDEFINED,
     &macros::MACRO_USED_BEFORE,
@@ -128,6 +170,10 @@ pub static RULES: &[&Rule] = &[
     &macros::MACRO_STRUCTURE,
     &macros::DUPLICATE_PARAMETER,
     &macros::PARAMETER_BYPASSED,
+    &allow::UNUSED_ALLOW,
+    &allow::UNKNOWN_ALLOW,
+    &allow::ALLOW_FIXED,
+    &allow::BAD_ALLOW,
     &lints::RECORD_OF_ONE_BYTE,
     &lints::RESULT_NOT_AWAITED,
     &lints::JUMP_DECIDED_BY_WAIT,
@@ -141,6 +187,29 @@ pub static RULES: &[&Rule] = &[
     &lints::POSITIONING_INCOMPLETE,
     &lints::ANALOG_WITHOUT_PORT,
     &lints::SIMULATED_SPINDLE_SWITCHED,
+    &lints::TWO_WRITERS,
+    &lints::NEVER_WRITTEN,
+    &lints::NEVER_READ,
+    &lints::UNUSED_VARIABLE,
+    &lints::MECHANISM_NEVER_STARTED,
+    &lints::ENDLESS_WAIT,
+    &lints::MOTION_BLOCK_WAIT,
+    &lints::TIMEOUT_WITHOUT_PATH,
+    &lints::UNREACHABLE_CODE,
+    &lints::UNUSED_LABEL,
+    &lints::UNUSED_CONSTANT,
+    &lints::UNUSED_PROCEDURE,
+    &lints::UNUSED_MACRO,
+    &lints::OVERLAPPING_OVERLAYS,
+    &lints::COUNTER_TOO_NARROW,
+    &lints::READ_ONLY_CELL,
+    &lints::DEBUG_LEFT_ON,
+    &lints::TIMER_NEVER_ENDS,
+    &lints::ALWAYS_THE_SAME,
+    &lints::BCD_RANGE,
+    &lints::OVERLAY_ELSEWHERE,
+    &lints::NUMBER_TEXT_SIZE,
+    &lints::STALE_REAL,
 ];
 
 /// The rule with `code`, in any case.
@@ -152,18 +221,14 @@ pub fn rule(code: &str) -> Option<&'static Rule> {
 /// The page of a rule in Markdown, by code or name; what `technol explain T0301` shows.
 #[must_use]
 pub fn explain(code_or_name: &str) -> Option<String> {
-    let rule = rule(code_or_name)
-        .or_else(|| RULES.iter().copied().find(|rule| rule.name.eq_ignore_ascii_case(code_or_name)))?;
-    let severity = rule.severity.name();
-    let setting = if rule.fixed {
-        String::from("It cannot be lowered: such a program cannot be built.")
-    } else {
-        format!(
-            "`[lints] {} = \"off\"` in technol.toml (or `hint`, `warning`, `error`) changes it.",
-            rule.code
-        )
-    };
-    Some(format!("# {} {}\n\n{severity}. {setting}\n\n{}\n", rule.code, rule.name, rule.explanation))
+    find(code_or_name).map(page::markdown)
+}
+
+/// The rule with a code or a name, in any case.
+#[must_use]
+pub fn find(code_or_name: &str) -> Option<&'static Rule> {
+    rule(code_or_name)
+        .or_else(|| RULES.iter().copied().find(|rule| rule.name.eq_ignore_ascii_case(code_or_name)))
 }
 
 #[cfg(test)]
@@ -183,6 +248,7 @@ mod tests {
         for rule in RULES {
             let page = explain(rule.code).expect("a page");
             assert!(page.contains(rule.name) && rule.explanation.len() > 60, "{}", rule.code);
+            assert!(page.contains("## Why") && page.contains("## Right"), "{}", rule.code);
             assert_eq!(explain(rule.name), Some(page));
         }
         assert_eq!(explain("T9999"), None);

@@ -73,10 +73,10 @@ pub(crate) fn analysis(expansion: &Expansion<'_>, found: SectionAnalysis) -> Sec
         record.line = own(record.line);
         mapped.records.push(record);
     }
-    for mut used in found.devices {
-        used.columns = expansion.shown(used.line, &used.columns);
-        used.line = own(used.line);
-        mapped.devices.push(used);
+    for mut device in found.devices {
+        device.columns = expansion.shown(device.line, &device.columns);
+        device.line = own(device.line);
+        mapped.devices.push(device);
     }
     for (key, line, columns) in found.calls {
         let columns = expansion.shown(line, &columns);

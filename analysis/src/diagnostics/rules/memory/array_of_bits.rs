@@ -14,4 +14,5 @@ pub static ARRAY_OF_BITS: Rule = Rule {
     wrong: "MODULE_INIT\n        DEF_IN  DOORS[4],'Doors',TYPE_BIT\nMODULE_INIT_END\n",
     right: "MODULE_INIT\n        DEF_IN  DOORS[4],'Doors',TYPE_BYTE\nMODULE_INIT_END\n",
     chapter: "27.6",
+    ..Rule::BASE
 };

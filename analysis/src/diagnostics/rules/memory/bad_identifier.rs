@@ -16,4 +16,5 @@ pub static BAD_IDENTIFIER: Rule = Rule {
     wrong: "MODULE_INIT\n        DEF_IN  SPEEDS[3],'Speed[3]',TYPE_WORD\nMODULE_INIT_END\n",
     right: "MODULE_INIT\n        DEF_IN  SPEEDS[3],'Speed',TYPE_WORD\nMODULE_INIT_END\n",
     chapter: "27.6",
+    ..Rule::BASE
 };

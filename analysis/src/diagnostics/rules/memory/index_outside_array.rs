@@ -16,4 +16,5 @@ pub static INDEX_OUTSIDE_ARRAY: Rule = Rule {
     right: "MODULE_INIT\n        DEF_OUT SPEEDS[3],'Speed',TYPE_WORD\nMODULE_INIT_END\nMODULE_CLEAR\n        \
             LOD  CNST.0\n        STO  SPEEDS[2]\nMODULE_CLEAR_END\n",
     chapter: "27.6",
+    ..Rule::BASE
 };

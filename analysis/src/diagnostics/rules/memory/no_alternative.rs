@@ -14,4 +14,5 @@ pub static NO_ALTERNATIVE: Rule = Rule {
     wrong: "MODULE_INIT\n        MAP_IN  GUARD,TABLE\nMODULE_INIT_END\n",
     right: "MODULE_INIT\n        MAP_IN  GUARD,'Guard'\nMODULE_INIT_END\n",
     chapter: "3.1",
+    ..Rule::BASE
 };

@@ -1,0 +1,123 @@
+//! An XML text as plain data with places, and nothing of what the parser offers beyond that.
+
+use crate::location::{Position, Span};
+
+/// A well-formed text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Document {
+    /// Elements in order of the text; the first is the root.
+    pub elements: Vec<Element>,
+}
+
+/// An element.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Element {
+    /// Its name, and where the opening tag has it.
+    pub name: Text,
+    /// Index of the element around it.
+    pub parent: Option<usize>,
+    /// Attributes in order of the text.
+    pub attributes: Vec<Attribute>,
+    /// Text directly inside it, without the blanks around.
+    pub content: Text,
+    /// Comment behind it on its last line.
+    pub note: String,
+}
+
+/// An attribute.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attribute {
+    /// Its name.
+    pub name: Text,
+    /// Its value without quotes.
+    pub value: Text,
+}
+
+/// A text with its place.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Text {
+    /// The text, references resolved.
+    pub text: String,
+    /// Where; a value that is empty has an empty place.
+    pub span: Span,
+}
+
+impl Document {
+    /// Elements directly inside the element at `index`. Walks everything inside it: not for elements that nest.
+    pub fn children(&self, index: usize) -> impl Iterator<Item = (usize, &Element)> {
+        let inside = self.elements.iter().enumerate().skip(index + 1);
+        inside
+            .take_while(move |(_, it)| it.parent.is_some_and(|parent| parent >= index))
+            .filter(move |(_, it)| it.parent == Some(index))
+    }
+
+    /// The element around another.
+    #[must_use]
+    pub fn parent(&self, element: &Element) -> Option<&Element> {
+        self.elements.get(element.parent?)
+    }
+
+    /// Elements of this name.
+    pub fn named<'a>(&'a self, name: &'a str) -> impl Iterator<Item = (usize, &'a Element)> {
+        self.elements.iter().enumerate().filter(move |(_, it)| it.name.text == name)
+    }
+}
+
+impl Element {
+    /// The attribute of this name.
+    #[must_use]
+    pub fn attribute(&self, name: &str) -> Option<&Text> {
+        self.attributes.iter().find(|it| it.name.text == name).map(|it| &it.value)
+    }
+}
+
+impl Text {
+    /// As an integer: decimal, or hexadecimal with `0x`.
+    #[must_use]
+    pub fn integer(&self) -> Option<i64> {
+        integer(&self.text)
+    }
+}
+
+/// An integer as configuration files write it: decimal with an optional sign, or hexadecimal with `0x`.
+#[must_use]
+pub fn integer(text: &str) -> Option<i64> {
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) if digits.starts_with(['+', '-']) => None,
+        Some(digits) => i64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
+}
+
+/// Where lines begin, to turn byte offsets into places.
+pub(super) struct Lines<'a> {
+    text: &'a str,
+    starts: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    pub(super) fn of(text: &'a str) -> Lines<'a> {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at + 1);
+        Lines { text, starts: std::iter::once(0).chain(ends).collect() }
+    }
+
+    pub(super) fn position(&self, offset: usize) -> Position {
+        let offset = offset.min(self.text.len());
+        let line = self.starts.partition_point(|start| *start <= offset).saturating_sub(1);
+        let start = self.starts.get(line).copied().unwrap_or(0);
+        Position { line: line as u32, column: (offset - start) as u32 }
+    }
+
+    pub(super) fn span(&self, range: std::ops::Range<usize>) -> Span {
+        Span { start: self.position(range.start), end: self.position(range.end.max(range.start)) }
+    }
+
+    /// The byte offset of a line and a character in it, both counted from 1.
+    pub(super) fn offset(&self, row: u32, column: u32) -> usize {
+        let start = self.starts.get(row.saturating_sub(1) as usize).copied().unwrap_or(self.text.len());
+        let rest = self.text.get(start..).unwrap_or_default();
+        let line = rest.split('\n').next().unwrap_or_default();
+        let skipped = line.char_indices().nth(column.saturating_sub(1) as usize);
+        start + skipped.map_or(line.trim_end_matches('\r').len(), |(at, _)| at)
+    }
+}
