@@ -15,4 +15,5 @@ pub static BLOCK_ACCESS: Rule = Rule {
     wrong: "        LOD  CNST.5\n        STO  BLK[0].T\n",
     right: "        LOD  BLK[0].T\n        STO  LARGE\n",
     chapter: "8.3",
+    ..Rule::BASE
 };

@@ -14,4 +14,5 @@ pub static MEMBER_FORM: Rule = Rule {
     wrong: "DATA\nSPEED   DW ?\nDATA_END\n",
     right: "DATA\nSPEED:  DS 2\nDATA_END\n",
     chapter: "18.1",
+    ..Rule::BASE
 };

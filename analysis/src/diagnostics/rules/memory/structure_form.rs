@@ -14,4 +14,5 @@ pub static STRUCTURE_FORM: Rule = Rule {
     wrong: "DATA\nRECORD  STRUC\nR_KIND  DB ?\nR_SPEED DW ?\nDATA_END\n",
     right: "DATA\nRECORD  STRUC\nR_KIND  DB ?\nR_SPEED DW ?\nRECORD  ENDS\nDATA_END\n",
     chapter: "18.1",
+    ..Rule::BASE
 };
