@@ -70,7 +70,8 @@ impl Builder for FileBuilder {
         };
         let mut warnings = Vec::new();
         for (file, found) in analysis.all_diagnostics().map_err(interrupted)? {
-            let found = found.iter().filter(|d| d.severity == Severity::Warning);
+            // An error here is one of a configuration file: any other has refused the build.
+            let found = found.iter().filter(|d| matches!(d.severity, Severity::Warning | Severity::Error));
             warnings.extend(found.map(|d| locate(&root, &file, d)));
         }
         let summary = match kept.write(&built.image, &analysis) {

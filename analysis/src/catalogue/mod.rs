@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-pub mod configuration;
 pub mod cell_type;
+pub mod configuration;
 pub mod entry;
 pub mod logical_elements;
 pub mod page;
@@ -57,8 +57,8 @@ pub use entry::{
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{
-    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol, symbols,
-    unit_member, unit_members,
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol,
+    symbols, unit_member, unit_members,
 };
 
 /// A language of the help.
