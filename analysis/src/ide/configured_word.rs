@@ -55,16 +55,44 @@ mod tests {
     #[test]
     fn a_word_of_a_button_shows_what_it_means() {
         let at = |attribute: &str| hover("a.KbdConfig", &key(attribute), Language::En);
-        insta::assert_snapshot!(at("VirtualKey=\"VK_F<CURSOR>1\""), @"");
-        insta::assert_snapshot!(at("Command=\"ID_MMM_MAN<CURSOR>\""), @"");
+        insta::assert_snapshot!(at("VirtualKey=\"VK_F<CURSOR>1\""), @"
+        ### VK_F1
+
+        Key of a PC: F1.
+
+        - Value of `VirtualKey` in a `*.KbdConfig`
+        - Manual chapter 11.3.3
+        ");
+        insta::assert_snapshot!(at("Command=\"ID_MMM_MAN<CURSOR>\""), @"
+        ### ID_MMM_MAN
+
+        Switches manual motion on.
+
+        - Value of `Command` in a `*.KbdConfig`
+        - Manual chapter 11.3.4
+        ");
         let czech = hover("a.KbdConfig", &key("RtmCommand=\"<CURSOR>RTMID_MMM_SEL00\""), Language::Cs);
-        insta::assert_snapshot!(czech, @"");
+        insta::assert_snapshot!(czech, @"
+        ### RTMID_MMM_SEL00
+
+        Předvolí NC osu 00 pro ruční pohyb.
+
+        - Hodnota atributu `RtmCommand` v souboru `*.KbdConfig`
+        - Kapitola příručky 11.3.6
+        ");
     }
 
     #[test]
     fn a_type_of_panel_shows_what_it_is() {
         let text = "<C><HMI><HMIDevice No=\"0\" DeviceType=\"Panel<CURSOR>Kla50\"/></HMI></C>";
-        insta::assert_snapshot!(hover("a.ChannelConfig", text, Language::En), @"");
+        insta::assert_snapshot!(hover("a.ChannelConfig", text, Language::En), @"
+        ### PanelKla50
+
+        Panel on the CAN bus with up to 112 buttons and two wheels, at most four.
+
+        - Type of a panel
+        - Manual chapter 11.1
+        ");
     }
 
     #[test]
