@@ -104,9 +104,10 @@ pub(super) static ENTRIES: &[Entry] = &[
             operand(
                 "axis",
                 AXIS_LETTERS,
-                "Number 1 to 16 or letter of the rotary axis: the value goes to its port, not to the one \
-                 of ANALOG_PORT",
-                "Číslo 1 až 16 nebo písmeno rotační osy: hodnota jde na její port, ne na port z ANALOG_PORT",
+                "Number 1 to 16 or letter (X, Y, Z, A, B, C, U, V, W) of the rotary axis: the value goes to its \
+                 port, not to the one of ANALOG_PORT",
+                "Číslo 1 až 16 nebo písmeno (X, Y, Z, A, B, C, U, V, W) rotační osy: hodnota jde na její port, ne \
+                 na port z ANALOG_PORT",
             )
             .or_nothing(),
             operand(

@@ -6,8 +6,10 @@ use super::pattern::{DIRECTIVE, KEYWORD, example, form, operand, text};
 const STACK: OperandSpec = operand(
     "stackflag",
     OperandKind::Keyword(&["T_NORMAL", "T_BEGIN", "T_END", "T_PUSH", "T_POP"]),
-    "Relation of a call to the stack of logic instructions; T_NORMAL when left out",
-    "Vztah volání k zásobníku logických instrukcí; bez uvedení T_NORMAL",
+    "What a call is to the stack of logic instructions: T_NORMAL nothing, T_BEGIN empties it, T_END ends the equation, \
+     T_PUSH begins one, T_POP takes a value back; T_NORMAL when left out",
+    "Vztah volání k zásobníku logických instrukcí: T_NORMAL žádný, T_BEGIN ho vyprázdní, T_END ukončí rovnici, T_PUSH ji \
+     začne, T_POP vybere hodnotu; bez uvedení T_NORMAL",
 )
 .or_nothing();
 const CONVERSION: OperandSpec = operand(

@@ -8,7 +8,10 @@ use super::pattern::{KEYWORD, example, form, text};
 /// Types of SHARE_VAR: all but TYPE_BIT, for which there is SHARE_BIT.
 pub(super) const SHARED_TYPES: &[&str] = CELL_TYPES.split_at(1).1;
 
-const PERIOD: Entry = Entry { chapter: "27.6", executable: false, ..KEYWORD };
+/// Manual chapter of these words.
+pub(super) const CHAPTER: &str = "27.6";
+
+const PERIOD: Entry = Entry { chapter: CHAPTER, executable: false, ..KEYWORD };
 
 const fn period(name: &'static str, summary: Bilingual, description: Bilingual) -> Entry {
     Entry { name, summary, description, ..PERIOD }

@@ -267,10 +267,10 @@ pub(super) static ENTRIES: &[Entry] = &[
         ),
         examples: &[example(
             concat!(
-                "        LOD  DWRD.KEY\n",
-                "        EQ   DWRD.CODE\n",
-                "        LOD  DWRD.(KEY+4)\n",
-                "        EQ1  DWRD.(CODE+4)\n",
+                "        LOD  DWRD.PALLET\n",
+                "        EQ   DWRD.EXPECTED\n",
+                "        LOD  DWRD.(PALLET+4)\n",
+                "        EQ1  DWRD.(EXPECTED+4)\n",
                 "        WR   SAME"
             ),
             "Compares 8 bytes.",

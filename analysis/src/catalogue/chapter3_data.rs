@@ -190,7 +190,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Totéž co MOVE, kopíruje se ale jen při RLO = 1. Koncová instrukce.",
         ),
         examples: &[example(
-            concat!("        EDGE_H SAMPLE\n", "        MOVE1 HELD,LEVEL"),
+            concat!("        EDGE_H SAMPLE\n", "        MOVE1 HELD_LEVEL,LEVEL"),
             "Takes LEVEL over at the rising edge of SAMPLE.",
             "Při náběžné hraně SAMPLE převezme LEVEL.",
         )],

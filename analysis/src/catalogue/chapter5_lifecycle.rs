@@ -217,7 +217,7 @@ pub(super) static ENTRIES: &[Entry] = &[
              komentáře. V dalších souborech je nepovinné (tato implementace).",
         ),
         examples: &[example(
-            concat!("MODULE_HALT_END\n", "STOP"),
+            concat!("MODULE_HALT\n", "MODULE_HALT_END\n", "STOP"),
             "The end of the first file.",
             "Konec prvního souboru.",
         )],

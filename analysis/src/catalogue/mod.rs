@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-pub mod configuration;
 pub mod cell_type;
+pub mod configuration;
 pub mod entry;
 pub mod logical_elements;
 pub mod page;
@@ -57,8 +57,8 @@ pub use entry::{
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{
-    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol, symbols,
-    unit_member, unit_members,
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol,
+    symbols, unit_member, unit_members,
 };
 
 /// A language of the help.
@@ -94,6 +94,13 @@ impl Entry {
     #[must_use]
     pub fn is_known_only(&self) -> bool {
         self.chapter == assembler::CHAPTER && !self.executable
+    }
+
+    /// Whether it is a word that means something only as an operand of a few instructions, like `FAST` or
+    /// `TYPE_WORD`: a program may use it as a name everywhere else.
+    #[must_use]
+    pub fn is_contextual(&self) -> bool {
+        self.kind == EntryKind::Keyword && self.chapter == chapter27_words::CHAPTER
     }
 }
 
@@ -206,10 +213,12 @@ pub fn prefix(name: &str) -> Option<PrefixSpelling> {
         .map(|prefix| PrefixSpelling { prefix, misspelled: false })
 }
 
-/// Whether `name` is a prefix or a word that stands as an operand (`NIL`, `BX`, `GLOBAL` …), in any case.
+/// Whether `name` is a prefix or a word that stands as an operand of any instruction (`NIL`, `BX`, `GLOBAL` …), in any
+/// case.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
-    prefix(name).is_some() || entry(name).is_some_and(|entry| entry.kind == EntryKind::Keyword)
+    let keyword = |entry: &Entry| entry.kind == EntryKind::Keyword && !entry.is_contextual();
+    prefix(name).is_some() || entry(name).is_some_and(keyword)
 }
 
 /// Looks `name` up in upper case without touching the heap.

@@ -75,12 +75,10 @@ pub(super) const WAITING: Entry = Entry {
     ..INSTRUCTION
 };
 
-/// An instruction whose operand rules are not yet modelled; `build` refuses it.
+/// An instruction that `build` refuses.
 pub(super) const UNMODELLED: Entry = Entry { executable: false, ..INSTRUCTION };
 /// The same in DATA.
 pub(super) const UNMODELLED_DATA: Entry = Entry { executable: false, ..DECLARATION };
-/// A module that `build` refuses.
-pub(super) const UNMODELLED_STRUCTURE: Entry = Entry { executable: false, ..STRUCTURE };
 /// An instruction of a sequence that takes several cycles.
 pub(super) const MULTI_CYCLE: Entry =
     Entry { ex_type: true, place: Place::Sequence, equation: Equation::Overwrite, ..UNMODELLED };

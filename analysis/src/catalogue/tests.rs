@@ -155,10 +155,16 @@ fn operands_of_one_entry_have_different_names() {
     }
 }
 
+/// Whether `word` stands in the text by itself.
+fn has_word(text: &str, word: &str) -> bool {
+    text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '?'))).any(|it| it == word)
+}
+
 /// A word that stands as an operand has a page of its own, is a predefined symbol or a member of INOUTS, or the page
 /// of its instruction tells what it means.
 #[test]
 fn keywords_of_operands_are_known_or_described_where_they_stand() {
+    let mut unknown = Vec::new();
     for entry in entries() {
         for kind in kinds(entry) {
             let (OperandKind::Keyword(words) | OperandKind::KeywordOrNumber(words, ..)) = kind else {
@@ -168,17 +174,19 @@ fn keywords_of_operands_are_known_or_described_where_they_stand() {
                 let key = word.to_ascii_uppercase();
                 let known =
                     super::entry(&key).is_some() || symbol(&key).is_some() || unit_member(&key).is_some();
-                let quoted = format!("`{word}`");
-                let described = entry.description.en.contains(&quoted)
-                    && entry.description.cs.contains(&quoted)
-                    || entry.operands.iter().any(|operand| {
-                        operand.help.en.contains(&quoted) && operand.help.cs.contains(&quoted)
-                    });
-                assert!(known || described, "{}: {word}", entry.name);
+                let told = |Bilingual { en, cs }: Bilingual| has_word(en, word) && has_word(cs, word);
+                let described = told(entry.description) || entry.operands.iter().any(|it| told(it.help));
+                if !known && !described {
+                    unknown.push(format!("{}: {word}", entry.name));
+                }
             }
         }
     }
+    assert!(unknown.is_empty(), "{unknown:#?}");
 }
+
+/// Words that stand behind the name they declare.
+const STRUCTURE_WORDS: &[&str] = &["STRUC", "ENDS", "DB", "DW", "DD", "DQ"];
 
 #[test]
 fn examples_use_the_entry_they_stand_at_and_only_known_mnemonics() {
@@ -188,9 +196,12 @@ fn examples_use_the_entry_they_stand_at_and_only_known_mnemonics() {
             assert!(upper.contains(entry.name), "{}: {}", entry.name, example.code);
             for line in example.code.lines() {
                 let code = line.rsplit(':').next().unwrap_or(line);
+                // The lines of a structure begin with a name: `TOOLDATA STRUC`, `TOOL_NO DW ?`.
+                let known = |word: &str| super::entry(word).is_some();
                 let mut words = code.split_whitespace();
                 if let Some(first) = words.next() {
-                    assert!(super::entry(first).is_some(), "{}: {line}", entry.name);
+                    let second = words.next().filter(|word| STRUCTURE_WORDS.contains(word));
+                    assert!(known(first) || second.is_some_and(known), "{}: {line}", entry.name);
                 }
             }
         }
@@ -203,7 +214,7 @@ fn what_build_lowers_is_what_the_chapters_promise() {
         let chapter = entry.chapter;
         let lowered = match entry.name {
             "CLI" | "STI" | "NOP" | "MOV" | "DEBUG" | "ON" | "OFF" | "ESET" | "ESET1" => true,
-            _ if chapter.starts_with("22.") => true,
+            _ if chapter.starts_with("22.") || entry.name.starts_with("MODULE_") => true,
             _ => {
                 chapter != "3.1"
                     && chapter != "3.18"
@@ -265,6 +276,8 @@ fn prefixes_are_found_in_any_case_and_the_misspelling_is_told() {
     assert_eq!(prefix("DWORD"), None);
     assert!(is_keyword("nil") && is_keyword("BX") && is_keyword("cnts"));
     assert!(!is_keyword("LDR") && !is_keyword("P1IN"));
+    // Words of a few instructions are free names.
+    assert!(!is_keyword("FAST") && !is_keyword("TYPE_WORD"));
 }
 
 #[test]

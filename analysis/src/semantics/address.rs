@@ -196,7 +196,10 @@ impl<'a> Shape<'a> {
             && let Some(spelling) = catalogue::prefix(&name.text)
         {
             if self.prefix.is_some() {
-                return Err(Misshape::Form(name.columns.clone(), "a type prefix stands once, before the operand"));
+                return Err(Misshape::Form(
+                    name.columns.clone(),
+                    "a type prefix stands once, before the operand",
+                ));
             }
             self.prefix = Some(PrefixUse {
                 prefix: spelling.prefix,

@@ -23,12 +23,7 @@ const READERS: &[&str] =
 const MAX_BLOCK: i64 = 0xFFFF;
 
 /// Whether an instruction may read a cell of a prepared block; reports it when not.
-pub(super) fn readable(
-    reader: &mut CodeReader<'_>,
-    entry: &Entry,
-    uses: Access,
-    expr: &Expr,
-) -> Option<()> {
+pub(super) fn readable(reader: &mut CodeReader<'_>, entry: &Entry, uses: Access, expr: &Expr) -> Option<()> {
     if uses == Access::Read && READERS.contains(&entry.name) {
         return Some(());
     }
@@ -101,10 +96,7 @@ pub(super) fn member(
         reader.report(&names::UNKNOWN_SYMBOL, name.columns.clone(), message);
         return None;
     };
-    let key = SymbolKey {
-        scope: SymbolScope::System,
-        name: Arc::from(format!("BLK.{}", system.name)),
-    };
+    let key = SymbolKey { scope: SymbolScope::System, name: Arc::from(format!("BLK.{}", system.name)) };
     reader.refer(name.columns.clone(), Referent::Symbol(key.clone()), ReferenceAccess::Read);
     let kind = system_kind(&system.kind);
     let mut found = Sum { constant: false, block: Some(number), ..Sum::default() };

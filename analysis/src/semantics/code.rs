@@ -7,9 +7,9 @@ use std::sync::Arc;
 use super::analysis::{Overrun, SectionAnalysis};
 use super::declarations::What;
 use super::equations::Equations;
+use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey, SymbolScope};
 use super::macros;
 use super::macros::expand::{Call, Expansion};
-use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey, SymbolScope};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
 use super::{devices, flow, lints, moves, operands, place, suggest};
@@ -306,7 +306,9 @@ impl<'db> CodeReader<'db> {
             return;
         }
         match entry.name {
-            "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => operands::declaration(self, entry, line),
+            "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => {
+                operands::declaration(self, entry, line)
+            }
             "APPEND_T_MACRO" => self.append(line),
             "T_LOCAL" => self.t_local(line),
             "STRUC" | "ENDS" => {

@@ -482,7 +482,7 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
 fn is_reserved(name: &str) -> bool {
     // 80386 instructions known by name only are no obstacle: LOOP, TEST and OUT are good names.
     let taken = |entry: &catalogue::Entry| {
-        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only()
+        entry.kind != catalogue::EntryKind::EventProcedure && !entry.is_known_only() && !entry.is_contextual()
     };
     catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()

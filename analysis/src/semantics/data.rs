@@ -47,7 +47,8 @@ pub(super) fn value(
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
     if sum.bit.is_some() {
-        let columns = shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
+        let columns =
+            shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
         let message = format!("{} works on cells, not on bits", entry.name);
         reader.report(&rules::OPERAND_KIND, columns, message);
         return None;
@@ -163,13 +164,8 @@ fn declared(
     if wanted.declared.contains(as_prefix) {
         return Some(found);
     }
-    let message = format!(
-        "{} is {}; {} takes {}",
-        symbol.key.name,
-        describe(&own),
-        entry.name,
-        types(wanted.declared)
-    );
+    let message =
+        format!("{} is {}; {} takes {}", symbol.key.name, describe(&own), entry.name, types(wanted.declared));
     reader.report_symbol(&rules::PREFIX_NOT_ALLOWED, expr.columns.clone(), message, &symbol.key);
     None
 }

@@ -103,7 +103,8 @@ pub(super) fn member(reader: &mut Reader, number: u32, line: &Line) {
         _ => Width::QWord,
     };
     if reader.structure.is_none() {
-        let message = "this stands only between NAME STRUC and NAME ENDS; memory is declared by DFM, DS or STR";
+        let message =
+            "this stands only between NAME STRUC and NAME ENDS; memory is declared by DFM, DS or STR";
         reader.report(&memory::MEMBER_FORM, number, operation(line), message.to_string());
         if let Some(label) = label {
             reader.declare(label, number, What::Unknown);

@@ -142,12 +142,7 @@ fn dotted(reader: &mut CodeReader<'_>, sum: &mut Sum, behind: &Behind<'_>, last:
             let need = if last { "a bit or a member of a structure" } else { "a member of a structure" };
             let message =
                 format!("{} is {}, {need} is needed here", behind.name.text, describe(&symbol.kind));
-            reader.report_symbol(
-                &names::WRONG_SYMBOL,
-                behind.name.columns.clone(),
-                message,
-                &symbol.key,
-            );
+            reader.report_symbol(&names::WRONG_SYMBOL, behind.name.columns.clone(), message, &symbol.key);
             None
         }
     }

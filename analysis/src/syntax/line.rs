@@ -107,7 +107,9 @@ fn declares_structure(cursor: &mut Cursor<'_>) -> bool {
     let behind = cursor.tokens[cursor.at + 1..].iter().find(|t| t.kind != SyntaxKind::Whitespace);
     let alone = behind.is_none_or(|t| t.kind == SyntaxKind::Comment);
     (encloses && alone)
-        || (member && !alone && behind.is_some_and(|t| !matches!(t.kind, SyntaxKind::Comma | SyntaxKind::Dot)))
+        || (member
+            && !alone
+            && behind.is_some_and(|t| !matches!(t.kind, SyntaxKind::Comma | SyntaxKind::Dot)))
 }
 
 /// Words of the assembler that declare a member of a structure.

@@ -1,0 +1,50 @@
+//! Examples of the help check clean inside a complete program.
+
+mod catalogue_program;
+
+use std::fmt::Write as _;
+
+use catalogue_program::{Program, check, project, shown};
+use technol_analysis::catalogue::entries;
+
+/// Examples that cannot check clean, with the reason.
+const NOT_CLEAN: &[(&str, &str)] = &[
+    ("CAN_AX_SEND", "members of structures"),
+    ("STRUC", "structures"),
+    ("ENDS", "structures"),
+    ("DB", "structures"),
+    ("DW", "structures"),
+    ("DD", "structures"),
+    ("DQ", "structures"),
+    ("MODULE_CYCLICOPERATION", "the module"),
+    ("MODULE_CYCLICOPERATION_END", "the module"),
+    ("MODULE_FASTEST", "the module"),
+    ("MODULE_FASTEST_END", "the module"),
+];
+
+#[test]
+fn every_example_of_the_help_checks_clean_where_it_belongs() {
+    let mut report = String::new();
+    let mut count = 0;
+    for entry in entries() {
+        for example in entry.examples {
+            let text = Program::of(example.code).with_plant().text();
+            let found = check(&project(&text));
+            let allowed = NOT_CLEAN.iter().any(|(name, _)| *name == entry.name);
+            count += 1;
+            if allowed == found.is_empty() {
+                let found = shown(&text, &found);
+                writeln!(report, "{}:\n{found}{}", entry.name, example.code).expect("a String");
+            }
+        }
+    }
+    assert!(report.is_empty(), "\n{report}");
+    assert!(count >= 400, "only {count} examples");
+}
+
+#[test]
+fn the_plant_of_the_help_checks_clean() {
+    let text = Program::default().with_plant().text();
+    let found = check(&project(&text));
+    assert!(found.is_empty(), "{}", shown(&text, &found));
+}
