@@ -460,14 +460,20 @@ impl Length {
 /// `name`, `name+n`, `name-n`.
 fn overlay(expr: &Expr) -> Option<Overlay> {
     match &expr.kind {
-        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0 }),
+        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, later: Vec::new() }),
         ExprKind::Parens(inner) => overlay(inner),
         ExprKind::Sum { minus, left, right } => {
-            let base = overlay(left)?;
-            let step = ConstExpr::read(right).ok()?.literal()?;
-            let offset =
-                if *minus { base.offset.checked_sub(step)? } else { base.offset.checked_add(step)? };
-            Some(Overlay { offset, ..base })
+            let mut base = overlay(left)?;
+            let step = ConstExpr::read(right).ok()?;
+            let step = if *minus { ConstExpr::Negated(Box::new(step)) } else { step };
+            let mut names = Vec::new();
+            step.names(&mut names);
+            if names.is_empty() {
+                base.offset = base.offset.checked_add(step.literal()?)?;
+            } else {
+                base.later.push(step);
+            }
+            Some(base)
         }
         _ => None,
     }

@@ -92,6 +92,8 @@ pub struct Overlay {
     pub symbol: String,
     /// Byte offset into it.
     pub offset: i64,
+    /// What is added to the offset and needs constants of other sections.
+    pub later: Vec<ConstExpr>,
 }
 
 /// A piece of memory.

@@ -375,6 +375,14 @@ pub(crate) fn resolved(
             }
         }
     }
+    for declared in &mut declarations.names {
+        let What::Text { over: Some(over), .. } = &mut declared.what else { continue };
+        for step in std::mem::take(&mut over.later) {
+            // A name that is no constant is reported where the operand is read.
+            let sum = step.value(&mut value).ok().and_then(|step| over.offset.checked_add(step));
+            over.offset = sum.unwrap_or(over.offset);
+        }
+    }
     declarations
 }
 
