@@ -11,8 +11,8 @@ pub static NO_ALTERNATIVE: Rule = Rule {
     explanation: "The place takes operands of several kinds and this one is none of them; the message lists what may \
         stand there.",
     why: "The instruction would work with something else than it expects.",
-    wrong: "        ANALOG_PORT DOOR\n",
-    right: "        ANALOG_PORT 0\n",
-    chapter: "12.1",
+    wrong: "MODULE_INIT\n        SHARE_VAR MIDDLE,'Speed',TYPE_WORD,START\nMODULE_INIT_END\n",
+    right: "MODULE_INIT\n        SHARE_VAR MIDDLE,'Speed',TYPE_WORD,RATIO\nMODULE_INIT_END\n",
+    chapter: "3.1",
     ..Rule::BASE
 };
