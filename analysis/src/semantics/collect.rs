@@ -457,17 +457,29 @@ impl Length {
     }
 }
 
-/// `name`, `name+n`, `name-n`.
+/// `name`, `name+n`, `name-n`, `name.MEMBER`.
 fn overlay(expr: &Expr) -> Option<Overlay> {
     match &expr.kind {
-        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0 }),
+        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, open: Vec::new() }),
         ExprKind::Parens(inner) => overlay(inner),
+        ExprKind::Dot { left, right } => match &right.kind {
+            ExprKind::Name(member) => {
+                let mut base = overlay(left)?;
+                base.open.push(ConstExpr::Name(member.key()));
+                Some(base)
+            }
+            _ => None,
+        },
         ExprKind::Sum { minus, left, right } => {
-            let base = overlay(left)?;
-            let step = ConstExpr::read(right).ok()?.literal()?;
-            let offset =
-                if *minus { base.offset.checked_sub(step)? } else { base.offset.checked_add(step)? };
-            Some(Overlay { offset, ..base })
+            let mut base = overlay(left)?;
+            let step = ConstExpr::read(right).ok()?;
+            match step.literal() {
+                Some(step) if *minus => base.offset = base.offset.checked_sub(step)?,
+                Some(step) => base.offset = base.offset.checked_add(step)?,
+                None if *minus => base.open.push(ConstExpr::Negated(Box::new(step))),
+                None => base.open.push(step),
+            }
+            Some(base)
         }
         _ => None,
     }

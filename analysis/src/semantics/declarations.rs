@@ -90,8 +90,10 @@ impl MacroLine {
 pub struct Overlay {
     /// Key of the symbol.
     pub symbol: String,
-    /// Byte offset into it.
+    /// Byte offset into it, as far as the line alone gives it.
     pub offset: i64,
+    /// Constants and members of structures that are added to it.
+    pub open: Vec<ConstExpr>,
 }
 
 /// A piece of memory.

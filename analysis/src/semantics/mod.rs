@@ -39,3 +39,4 @@ mod operands;
 pub(crate) mod place;
 mod structures;
 mod sum;
+mod texts;

@@ -351,6 +351,19 @@ pub(crate) fn resolved(
     section: Section<'_>,
     mut declarations: Declarations,
 ) -> Declarations {
+    for declared in &mut declarations.names {
+        if let What::Text { over: Some(over), .. } = &mut declared.what {
+            let steps = std::mem::take(&mut over.open);
+            let mut distance = |name: &str| distance(db, project, section, name);
+            let sum = steps.iter().try_fold(over.offset, |sum, step| {
+                step.value(&mut distance).ok().and_then(|step| sum.checked_add(step))
+            });
+            match sum {
+                Some(offset) => over.offset = offset,
+                None => declared.what = What::Unknown,
+            }
+        }
+    }
     let mut value = |name: &str| constant(db, project, section, name);
     for (index, expr) in &declarations.expressions {
         let value = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
@@ -383,6 +396,16 @@ pub(crate) fn constant(db: &dyn Db, project: Project, section: Section<'_>, name
     let name = database::NameRef::new(db, Arc::from(name), section.file(db).order(db));
     match database::lookup(db, project, name) {
         Some(Symbol { kind: SymbolKind::Constant(value), .. }) => Some(*value),
+        _ => None,
+    }
+}
+
+/// What a name adds to an address: a constant, or a member of a structure.
+fn distance(db: &dyn Db, project: Project, section: Section<'_>, name: &str) -> Option<i64> {
+    let key = database::NameRef::new(db, Arc::from(name), section.file(db).order(db));
+    match database::lookup(db, project, key) {
+        Some(Symbol { kind: SymbolKind::Constant(value), .. }) => Some(*value),
+        Some(Symbol { kind: SymbolKind::Member { offset, .. }, .. }) => Some(i64::from(*offset)),
         _ => None,
     }
 }
