@@ -460,12 +460,12 @@ impl Length {
 /// `name`, `name+n`, `name-n`, `name.MEMBER`.
 fn overlay(expr: &Expr) -> Option<Overlay> {
     match &expr.kind {
-        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, open: Vec::new() }),
+        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, later: Vec::new() }),
         ExprKind::Parens(inner) => overlay(inner),
         ExprKind::Dot { left, right } => match &right.kind {
             ExprKind::Name(member) => {
                 let mut base = overlay(left)?;
-                base.open.push(ConstExpr::Name(member.key()));
+                base.later.push(ConstExpr::Name(member.key()));
                 Some(base)
             }
             _ => None,
@@ -476,8 +476,8 @@ fn overlay(expr: &Expr) -> Option<Overlay> {
             match step.literal() {
                 Some(step) if *minus => base.offset = base.offset.checked_sub(step)?,
                 Some(step) => base.offset = base.offset.checked_add(step)?,
-                None if *minus => base.open.push(ConstExpr::Negated(Box::new(step))),
-                None => base.open.push(step),
+                None if *minus => base.later.push(ConstExpr::Negated(Box::new(step))),
+                None => base.later.push(step),
             }
             Some(base)
         }

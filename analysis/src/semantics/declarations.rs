@@ -92,8 +92,8 @@ pub struct Overlay {
     pub symbol: String,
     /// Byte offset into it, as far as the line alone gives it.
     pub offset: i64,
-    /// Constants and members of structures that are added to it.
-    pub open: Vec<ConstExpr>,
+    /// What is added to the offset and needs constants or members of structures of other sections.
+    pub later: Vec<ConstExpr>,
 }
 
 /// A piece of memory.

@@ -24,6 +24,7 @@ pub(crate) mod suggest;
 
 mod address;
 mod alternatives;
+mod assembler;
 mod bits;
 mod block;
 mod calls;

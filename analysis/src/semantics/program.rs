@@ -351,19 +351,6 @@ pub(crate) fn resolved(
     section: Section<'_>,
     mut declarations: Declarations,
 ) -> Declarations {
-    for declared in &mut declarations.names {
-        if let What::Text { over: Some(over), .. } = &mut declared.what {
-            let steps = std::mem::take(&mut over.open);
-            let mut distance = |name: &str| distance(db, project, section, name);
-            let sum = steps.iter().try_fold(over.offset, |sum, step| {
-                step.value(&mut distance).ok().and_then(|step| sum.checked_add(step))
-            });
-            match sum {
-                Some(offset) => over.offset = offset,
-                None => declared.what = What::Unknown,
-            }
-        }
-    }
     let mut value = |name: &str| constant(db, project, section, name);
     for (index, expr) in &declarations.expressions {
         let value = ConstExpr::read(expr).ok().and_then(|e| e.value(&mut value).ok());
@@ -386,6 +373,14 @@ pub(crate) fn resolved(
                 What::Text { len: characters, .. } => *characters = len,
                 _ => {}
             }
+        }
+    }
+    for declared in &mut declarations.names {
+        let What::Text { over: Some(over), .. } = &mut declared.what else { continue };
+        for step in std::mem::take(&mut over.later) {
+            // A name that is neither constant nor member is reported where the operand is read.
+            let sum = step.value(&mut |name| distance(db, project, section, name)).ok().and_then(|step| over.offset.checked_add(step));
+            over.offset = sum.unwrap_or(over.offset);
         }
     }
     declarations
