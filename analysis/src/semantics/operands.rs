@@ -11,7 +11,7 @@ use super::hir::{Address, Operand};
 use super::program::no_value;
 use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
-use super::{alternatives, bits, data, identifiers, moves};
+use super::{alternatives, assembler, bits, data, identifiers, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
 use crate::diagnostics::rules::{declarations, lints, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
@@ -20,6 +20,9 @@ use crate::syntax::ast::{Expr, ExprKind, Line, Name};
 pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) -> Vec<Operand> {
     if entry.name == "T_INCLUDE" {
         return Vec::new();
+    }
+    if let Some(form) = entry.assembler_form() {
+        return assembler::resolve(reader, entry, form, line);
     }
     let mut resolved = Vec::with_capacity(line.operands.len());
     let mut specs = entry.operands.iter();
