@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use proptest::prelude::*;
 use technol_analysis::database::Database;
 use technol_analysis::project::{FileReader, load};
-use technol_analysis::{AnalysisHost, Change, Diagnostic};
+use technol_analysis::{AnalysisHost, Change, Diagnostic, Severity};
 
 struct Memory(BTreeMap<String, String>);
 
@@ -176,7 +176,7 @@ MODULE_BLOCK_DONE
 MODULE_BLOCK_DONE_END
 MODULE_MAIN
 LDR START
-FL1 1,FIRST
+FL1 1,FIRST,SECOND,THIRD
 MECH_BEGIN FIRST
 KEEP DOOR
 COPY START,RED
@@ -223,7 +223,11 @@ fn executed_in(program: &str, edited: &str, from: &str, to: &str) -> BTreeMap<St
     let mut host = AnalysisHost::with_database(db);
     let memory = Memory(files.iter().map(|(p, t)| ((*p).to_string(), (*t).to_string())).collect());
     host.apply(Change { project: Some(load("t.plc", &memory)), texts: Vec::new() });
-    assert_eq!(host.analysis().all_diagnostics().expect("nothing cancels it"), []);
+    let mut found = host.analysis().all_diagnostics().expect("nothing cancels it");
+    // The programs are short, some of their names are not used.
+    found.iter_mut().for_each(|(_, list)| list.retain(|d| d.severity <= Severity::Warning));
+    found.retain(|(_, list)| !list.is_empty());
+    assert_eq!(found, []);
     log.lock().expect("one thread").clear();
     host.apply(Change { project: None, texts: vec![(edited.to_string(), Arc::from(after.as_str()))] });
     host.analysis().all_diagnostics().expect("nothing cancels it");
@@ -242,6 +246,10 @@ fn typing_in_one_mechanism_runs_nothing_of_another_also_with_macros() {
         ("section_outline", 1),
         ("section_declarations", 1),
         ("section_analysis", 1),
+        ("section_uses", 1),
+        ("file_uses", 1),
+        ("foreign_uses", 1),
+        ("file_lints", 1),
         ("file_diagnostics", 1),
     ];
     // A mechanism without calls looks for calls; one with calls is expanded again.
@@ -264,6 +272,10 @@ fn typing_in_one_mechanism_runs_nothing_of_another_also_when_instructions_may_be
         ("section_outline", 1),
         ("section_declarations", 1),
         ("section_analysis", 1),
+        ("section_uses", 1),
+        ("file_uses", 1),
+        ("foreign_uses", 1),
+        ("file_lints", 1),
         ("file_diagnostics", 1),
         ("expansion", 1),
         ("expansion_declarations", 1),

@@ -21,8 +21,10 @@ const NOT_IN_A_TEXT: &[(&str, &str)] = &[
 const OF_THE_BUILD: &[&str] = &["T0801", "T0802", "T0803"];
 
 /// Rules of the project file, the target and the editor, which the manual does not mention.
-const NO_CHAPTER: &[&str] =
-    &["T0001", "T0002", "T0003", "T0004", "T0006", "T0008", "T0013", "T0014", "T0110", "T0801", "T0803"];
+const NO_CHAPTER: &[&str] = &[
+    "T0001", "T0002", "T0003", "T0004", "T0006", "T0008", "T0013", "T0014", "T0110", "T0801", "T0803",
+    "T0902", "T1051", "T1052", "T1053", "T1054",
+];
 
 /// Mistakes that cannot come alone: the rule, and what comes with it.
 const COMPANIONS: &[(&str, &[&str])] = &[];
@@ -35,6 +37,10 @@ impl FileReader for Memory<'_> {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let path = path.strip_prefix("p/").unwrap_or(path);
         self.0.get(path).map(|text| text.clone().into_bytes()).ok_or_else(|| "no such file".to_string())
+    }
+
+    fn list(&self, folder: &str) -> Vec<String> {
+        if folder == "p" { self.0.keys().cloned().collect() } else { Vec::new() }
     }
 }
 

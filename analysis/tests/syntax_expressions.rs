@@ -158,11 +158,14 @@ fn an_include_takes_its_file_name_bare_or_quoted() {
 #[test]
 fn lines_of_the_assembler_just_parse() {
     check(&[
-        ("UNIT STRUC", "(UNIT STRUC)"),
-        ("SPEED DW ?", "(SPEED DW ?)"),
+        ("UNIT STRUC", "UNIT: (STRUC)"),
+        ("SPEED DW ?", "SPEED: (DW ?)"),
         ("DB 0", "(DB 0)"),
-        ("TABLE DW 2 DUP (0)", "(TABLE DW 2 DUP (paren 0))"),
-        ("UNIT ENDS", "(UNIT ENDS)"),
+        ("TABLE DW 2 DUP (0)", "TABLE: (DW 2 DUP (paren 0))"),
+        ("UNIT ENDS", "UNIT: (ENDS)"),
+        ("LOD DB", "(LOD DB)"),
+        ("MOVE DB,1", "(MOVE DB 1)"),
+        ("LOD DB.X", "(LOD (dot DB X))"),
         ("MOV BX,CX", "(MOV BX CX)"),
     ]);
 }

@@ -13,9 +13,10 @@ use crate::files::Project;
 use crate::out::say;
 use crate::paint::Paint;
 
-/// Builds the project. Exit 1 when it has errors.
+/// Builds the project. Exit 1 when it has errors; those of configuration files are shown and hinder nothing.
 pub(crate) fn build(arguments: &BuildArguments) -> Outcome {
     let project = Project::open(&arguments.path)?;
+    configuration_errors(&project)?;
     let out = arguments.out.clone().unwrap_or_else(|| project.folder().join("out"));
     let name = project.name();
     let kept = KeptImage::new(&out, &name);
@@ -47,6 +48,16 @@ pub(crate) fn image(project: &Project) -> Result<Built, Failure> {
         let plural = if problems.len() == 1 { "" } else { "s" };
         Failure { code: exit::ERRORS, message: format!("not built: {} error{plural}", problems.len()) }
     })
+}
+
+/// Prints what is wrong in configuration files: the image is made without them, but the control needs them.
+fn configuration_errors(project: &Project) -> Result<(), Failure> {
+    let interrupted = |_| Failure::usage("the build was interrupted");
+    let paint = Paint::stderr();
+    for (file, diagnostic) in project.analysis.configuration_errors().map_err(interrupted)? {
+        eprintln!("{}", check::human(project, &file, &diagnostic, paint));
+    }
+    Ok(())
 }
 
 /// Bytes as hexadecimal digits.

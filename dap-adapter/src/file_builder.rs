@@ -50,16 +50,19 @@ impl Builder for FileBuilder {
             let summary = format!("{}: {}{stale}", loaded.manifest.name, kept.path().display());
             return Ok(project(&loaded, root, image, summary, Vec::new()));
         }
-        let unchanged = policy == Policy::IfStale && kept.is_current(&analysis);
-        if let Some(image) = unchanged.then(|| kept.read().ok()).flatten() {
-            let summary = format!("{} is up to date", loaded.manifest.name);
-            return Ok(project(&loaded, root, image, summary, Vec::new()));
-        }
         let interrupted = |_| BuildFailure::NoProject {
             program: program.to_owned(),
             reason: "the build was interrupted; try again".into(),
         };
         let problem = |(file, diagnostic): &(String, Diagnostic)| locate(&root, file, diagnostic);
+        let configuration_errors: Vec<Problem> =
+            analysis.configuration_errors().map_err(interrupted)?.iter().map(problem).collect();
+        let unchanged = policy == Policy::IfStale && kept.is_current(&analysis);
+        if let Some(image) = unchanged.then(|| kept.read().ok()).flatten() {
+            let summary = format!("{} is up to date", loaded.manifest.name);
+            let project = project(&loaded, root, image, summary, Vec::new());
+            return Ok(BuiltProject { configuration_errors, ..project });
+        }
         let built = match analysis.build().map_err(interrupted)? {
             Ok(built) => built,
             Err(errors) if errors.is_empty() => {
@@ -80,7 +83,8 @@ impl Builder for FileBuilder {
                 format!("{} is built, but not kept: {}: {error}", loaded.manifest.name, kept.path().display())
             }
         };
-        Ok(project(&loaded, root, built.image, summary, warnings))
+        let project = project(&loaded, root, built.image, summary, warnings);
+        Ok(BuiltProject { configuration_errors, ..project })
     }
 }
 
@@ -117,6 +121,7 @@ fn project(
         image,
         summary,
         warnings,
+        configuration_errors: Vec::new(),
     }
 }
 
@@ -189,6 +194,17 @@ STOP
         let third = build(Policy::IfStale).unwrap();
         assert_eq!(third.summary, "tiny is built");
         assert_ne!(third.image.program, first.image.program);
+    }
+
+    #[test]
+    fn errors_in_configuration_files_are_told_at_every_start_and_hinder_none() {
+        let folder = folder(MANIFEST, MINIMAL);
+        fs::write(folder.path().join("a.PlcErrors"), "<PlcErrors>\n").unwrap();
+        for summary in ["tiny is built", "tiny is up to date"] {
+            let built = FileBuilder.build(folder.path(), Policy::IfStale).unwrap();
+            let told: Vec<_> = built.configuration_errors.iter().map(|it| it.code.as_str()).collect();
+            assert_eq!((built.summary.as_str(), told), (summary, vec!["T0901"]));
+        }
     }
 
     #[test]

@@ -362,6 +362,7 @@ impl Builder for SampleBuilder {
             encoding: None,
             summary: "sample is up to date".into(),
             warnings: Vec::new(),
+            configuration_errors: Vec::new(),
         })
     }
 }

@@ -33,6 +33,8 @@ pub struct BuiltProject {
     pub summary: String,
     /// Warnings of the build.
     pub warnings: Vec<Problem>,
+    /// Errors in configuration files, which the program is built without.
+    pub configuration_errors: Vec<Problem>,
 }
 
 /// Something wrong in a source file.

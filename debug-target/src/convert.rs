@@ -114,6 +114,6 @@ mod tests {
 
     #[test]
     fn modules_are_numbered_in_the_order_of_the_protocol() {
-        assert!(ModuleKind::ALL.into_iter().map(module).eq(0..10));
+        assert!(ModuleKind::ALL.into_iter().map(module).eq(0..12));
     }
 }

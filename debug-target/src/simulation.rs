@@ -52,6 +52,8 @@ impl Simulation {
         let mut runtime = Runtime::new(program).map_err(SimulationError::Program)?;
         // The machine knows no port that the image lacks, so this does not fail.
         let _ = runtime.set_fast_ports(plant.fast_inputs(), plant.fast_outputs());
+        // Nor does it know another period than those of the image.
+        let _ = runtime.set_fastest_period(plant.fastest_period());
         Ok(Simulation {
             runtime,
             plant,

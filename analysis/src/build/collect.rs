@@ -1,6 +1,6 @@
 //! Building from the database: collects what the queries know, and turns what went wrong into diagnostics.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use technol_image::program::ContentHash;
@@ -111,14 +111,13 @@ impl Analysis {
     /// Builds the project. A project with errors is refused with them; otherwise the refusal names what the target
     /// cannot execute or hold. `Ok(Err(…))` is empty when no project is loaded.
     ///
+    /// Configuration files belong to the control, nothing of them goes into the image: their errors hinder no build,
+    /// see [`Analysis::configuration_errors`].
+    ///
     /// # Errors
     /// A change overtook the question.
     pub fn build(&self) -> Cancellable<Result<Built, Vec<(String, Diagnostic)>>> {
-        let mut errors = Vec::new();
-        for (file, diagnostics) in self.all_diagnostics()? {
-            let wrong = diagnostics.into_iter().filter(|d| d.severity == Severity::Error);
-            errors.extend(wrong.map(|d| (file.clone(), d)));
-        }
+        let errors = self.errors(false)?;
         if !errors.is_empty() {
             return Ok(Err(errors));
         }
@@ -131,6 +130,31 @@ impl Analysis {
             };
             Err(diagnostics(&input, &problems))
         })
+    }
+
+    /// Errors in configuration files. Whoever builds must show them: the program is built in spite of them, but
+    /// the control cannot take the files as they are.
+    ///
+    /// # Errors
+    /// A change overtook the question.
+    pub fn configuration_errors(&self) -> Cancellable<Vec<(String, Diagnostic)>> {
+        self.errors(true)
+    }
+
+    /// Errors, either of the configuration files or of everything else.
+    fn errors(&self, in_configuration: bool) -> Cancellable<Vec<(String, Diagnostic)>> {
+        let configuration: BTreeSet<String> = self.with(|db, project| {
+            let files = project.map_or(&[][..], |project| project.configuration(db));
+            files.iter().map(|file| file.path(db).clone()).collect()
+        })?;
+        let mut errors = Vec::new();
+        for path in self.file_paths()? {
+            if configuration.contains(&path) == in_configuration {
+                let wrong = self.diagnostics(&path)?.into_iter().filter(|d| d.severity == Severity::Error);
+                errors.extend(wrong.map(|d| (path.clone(), d)));
+            }
+        }
+        Ok(errors)
     }
 
     /// The `.LS1` listing of a build of this snapshot.

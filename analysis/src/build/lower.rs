@@ -101,6 +101,10 @@ impl Lowering {
             }
             return;
         };
+        if instruction.operands.iter().any(|operand| matches!(operand, Operand::Block { .. })) {
+            self.problem(ProblemKind::NotExecutable("BLK[n], the prepared blocks".to_owned()));
+            return;
+        }
         let operands = Operands { name: entry.name, list: &instruction.operands };
         if let Err(problem) = self.translate(form, instruction.push, &operands) {
             self.problem(problem);

@@ -11,10 +11,11 @@ const AREA_LEN: i64 = 32_000;
 
 const UNFILLED: &[OperandSpec] = &[operand(
     "content",
-    OperandKind::Keyword(&["?"]),
-    "`?`: a structure describes memory and fills none",
-    "`?`: struktura paměť jen popisuje a nic do ní neplní",
-)];
+    OperandKind::OneOf(&[OperandKind::Keyword(&["?"]), OperandKind::Constant]),
+    "`?` or a value, which has no effect; `n DUP (?)` for n elements",
+    "`?` nebo hodnota, která nemá vliv; `n DUP (?)` pro n prvků",
+)
+.repeated()];
 
 const NAME: OperandSpec = operand(
     "name",
@@ -83,6 +84,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "TOOL_LEN je DWORD na posunu 2 v zálohované paměti.",
         )],
         related: &["ENDS", "DB", "DW", "DD", "DQ"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {
@@ -100,12 +102,13 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Struktura s jedinou položkou.",
         )],
         related: &["STRUC", "DB"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {
         name: "DB",
         chapter: "18.1",
-        forms: &[form("member DB ?")],
+        forms: &[form("member DB ?"), form("member DB n DUP (?)")],
         operands: UNFILLED,
         summary: text(
             "Describes a member of type BYTE in a structure.",
@@ -122,12 +125,13 @@ pub(super) static ENTRIES: &[Entry] = &[
             "DOOR_NO je posun 0, DOOR_POS posun 1.",
         )],
         related: &["STRUC", "DW", "DD", "DQ"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {
         name: "DW",
         chapter: "18.1",
-        forms: &[form("member DW ?")],
+        forms: &[form("member DW ?"), form("member DW n DUP (?)")],
         operands: UNFILLED,
         summary: text(
             "Describes a member of type WORD in a structure.",
@@ -145,12 +149,13 @@ pub(super) static ENTRIES: &[Entry] = &[
             "SPIN_RPM má šířku 2 bajty.",
         )],
         related: &["STRUC", "DB", "DD", "DQ"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {
         name: "DD",
         chapter: "18.1",
-        forms: &[form("member DD ?")],
+        forms: &[form("member DD ?"), form("member DD n DUP (?)")],
         operands: UNFILLED,
         summary: text(
             "Describes a member of type DWORD in a structure.",
@@ -168,12 +173,13 @@ pub(super) static ENTRIES: &[Entry] = &[
             "AXIS_POS má šířku 4 bajty.",
         )],
         related: &["STRUC", "DB", "DW", "DQ"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {
         name: "DQ",
         chapter: "18.1",
-        forms: &[form("member DQ ?")],
+        forms: &[form("member DQ ?"), form("member DQ n DUP (?)")],
         operands: UNFILLED,
         summary: text(
             "Describes a member of type QWORD or REAL in a structure.",
@@ -203,6 +209,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Přečte ze zálohované paměti hodnotu REAL.",
         )],
         related: &["STRUC", "DB", "DW", "DD"],
+        place: Place::DataOrFileLevel,
         ..UNMODELLED_DATA
     },
     Entry {

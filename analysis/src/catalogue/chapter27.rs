@@ -2,7 +2,7 @@
 
 use super::cell_type::CELL_TYPES;
 use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
-use super::pattern::{UNMODELLED, UNMODELLED_STRUCTURE, example, form, operand, text};
+use super::pattern::{UNMODELLED, STRUCTURE, example, form, operand, text};
 
 const fn identifier(element: ConfigElement) -> OperandSpec {
     operand(
@@ -197,7 +197,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Reaguje na DOOR do jedné milisekundy.",
         )],
         related: &["MODULE_CYCLICOPERATION_END", "MODULE_FAST", "MODULE_FASTEST"],
-        ..UNMODELLED_STRUCTURE
+        ..STRUCTURE
     },
     Entry {
         name: "MODULE_CYCLICOPERATION_END",
@@ -219,7 +219,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Modul končí na samostatném řádku.",
         )],
         related: &["MODULE_CYCLICOPERATION"],
-        ..UNMODELLED_STRUCTURE
+        ..STRUCTURE
     },
     Entry {
         name: "MODULE_FASTEST",
@@ -254,7 +254,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Zastaví laser v témže taktu, ve kterém se dotkne.",
         )],
         related: &["MODULE_FASTEST_END", "MODULE_FAST", "FASTEST"],
-        ..UNMODELLED_STRUCTURE
+        ..STRUCTURE
     },
     Entry {
         name: "MODULE_FASTEST_END",
@@ -271,6 +271,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Modul končí na samostatném řádku.",
         )],
         related: &["MODULE_FASTEST"],
-        ..UNMODELLED_STRUCTURE
+        ..STRUCTURE
     },
 ];

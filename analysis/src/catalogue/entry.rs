@@ -271,6 +271,8 @@ pub enum Place {
     Anywhere,
     /// In DATA or DATA_LOCAL.
     Data,
+    /// In DATA, in DATA_LOCAL or between modules (STRUC).
+    DataOrFileLevel,
     /// Between modules.
     FileLevel,
     /// Between modules or inside any module (DATA_LOCAL).

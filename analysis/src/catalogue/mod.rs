@@ -57,8 +57,8 @@ pub use entry::{
     OperandKind, OperandSpec, Place, Prefix, PrefixSet, TimeUnit,
 };
 pub use symbol::{
-    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol, symbols,
-    unit_member, unit_members,
+    Direction, SystemKind, SystemSymbol, block_member, block_members, block_record_len, goes_on, symbol,
+    symbols, unit_member, unit_members,
 };
 
 pub(crate) use pattern::MAX_LENGTH;

@@ -282,6 +282,9 @@ const fn place_name(place: Place, language: Language) -> &'static str {
         }
         Place::Anywhere => text("Anywhere in a file", "Kdekoli v souboru"),
         Place::Data => text("In DATA and DATA_LOCAL", "V DATA a DATA_LOCAL"),
+        Place::DataOrFileLevel => {
+            text("In DATA, in DATA_LOCAL or between modules", "V DATA, v DATA_LOCAL nebo mezi moduly")
+        }
         Place::FileLevel => text("Between modules", "Mezi moduly"),
         Place::FileLevelOrModule => text("Between modules or inside one", "Mezi moduly nebo uvnitř modulu"),
         Place::Sequence => text(

@@ -82,8 +82,6 @@ pub(super) const WAITING: Entry = Entry {
 pub(super) const UNMODELLED: Entry = Entry { executable: false, ..INSTRUCTION };
 /// The same in DATA.
 pub(super) const UNMODELLED_DATA: Entry = Entry { executable: false, ..DECLARATION };
-/// A module that `build` refuses.
-pub(super) const UNMODELLED_STRUCTURE: Entry = Entry { executable: false, ..STRUCTURE };
 /// An instruction of a sequence that takes several cycles.
 pub(super) const MULTI_CYCLE: Entry =
     Entry { ex_type: true, place: Place::Sequence, equation: Equation::Overwrite, ..UNMODELLED };

@@ -92,6 +92,22 @@ pub enum SystemKind {
     Constant(i64),
 }
 
+impl SystemKind {
+    /// First byte and length of its cells; `None` for bits and for what has no memory.
+    #[must_use]
+    pub const fn bytes(&self) -> Option<(Addr, u32)> {
+        match *self {
+            SystemKind::Cell { addr, prefix } => Some((addr, prefix.bytes())),
+            SystemKind::Array { addr, element, len } => Some((addr, element.bytes() * len)),
+            SystemKind::Area { addr, len } => Some((addr, len)),
+            SystemKind::Bit { .. }
+            | SystemKind::FormalBit { .. }
+            | SystemKind::Member { .. }
+            | SystemKind::Constant(_) => None,
+        }
+    }
+}
+
 /// A predefined symbol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SystemSymbol {
@@ -171,7 +187,27 @@ static UNIT: LazyLock<Table> = LazyLock::new(|| {
 /// The predefined symbol `name`, in any case.
 #[must_use]
 pub fn symbol(name: &str) -> Option<&'static SystemSymbol> {
+    if let Some((block, member)) = name.split_once('.') {
+        return if block.eq_ignore_ascii_case("BLK") { block_member(member) } else { None };
+    }
     look_up(&TABLE.by_name, name).map(|&index| &TABLE.symbols[index])
+}
+
+/// Whether the bytes behind the cell `name`, up to `end` from its beginning, belong to cells of its family: names
+/// that begin with the same letters, as BZH09 and BZH10.
+#[must_use]
+pub fn goes_on(name: &str, end: i64) -> bool {
+    let family = |name: &'static str| name.split(|c: char| c.is_ascii_digit()).next().unwrap_or(name);
+    let Some(own) = symbol(name) else { return false };
+    let Some((start, len)) = own.kind.bytes() else { return false };
+    (i64::from(len)..end).all(|at| {
+        let at = i64::from(start) + at;
+        symbols().filter(|other| family(other.name) == family(own.name)).any(|other| {
+            other.kind.bytes().is_some_and(|(start, len)| {
+                (i64::from(start)..i64::from(start) + i64::from(len)).contains(&at)
+            })
+        })
+    })
 }
 
 /// Every predefined symbol, in the order of the manual.

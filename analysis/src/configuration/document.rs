@@ -112,6 +112,19 @@ impl<'a> Lines<'a> {
         Span { start: self.position(range.start), end: self.position(range.end.max(range.start)) }
     }
 
+    /// The character that an offset lies in; at the end of a line the last one of the line.
+    pub(super) fn character(&self, offset: usize) -> Span {
+        let whole = |at: usize| (0..=at).rev().find(|at| self.text.is_char_boundary(*at)).unwrap_or(0);
+        let at = |start: usize| self.text.get(start..).and_then(|rest| rest.chars().next());
+        let mut start = whole(offset.min(self.text.len()));
+        let first = self.position(start).column == 0;
+        if !first && matches!(at(start), None | Some('\r' | '\n')) {
+            start = whole(start - 1);
+        }
+        let len = at(start).filter(|c| *c != '\n').map_or(0, char::len_utf8);
+        self.span(start..start + len)
+    }
+
     /// The byte offset of a line and a character in it, both counted from 1.
     pub(super) fn offset(&self, row: u32, column: u32) -> usize {
         let start = self.starts.get(row.saturating_sub(1) as usize).copied().unwrap_or(self.text.len());

@@ -9,7 +9,6 @@ use roxmltree::{Error, Node, ParsingOptions};
 use super::document::{Attribute, Document, Element, Lines, Text};
 use super::problem::Problem;
 use crate::diagnostics::rules::configuration as rules;
-use crate::location::Span;
 
 /// Longest text that is looked at, in bytes.
 pub const MOST_BYTES: usize = 16 << 20;
@@ -27,7 +26,7 @@ const MOST_NAMESPACES: usize = 64;
 pub fn parse(text: &str) -> Result<Document, Box<Problem>> {
     let lines = Lines::of(text);
     let too_large = |at: usize, message: String| {
-        Box::new(Problem::new(&rules::BROKEN_CONFIGURATION, lines.span(at..at + 1), message))
+        Box::new(Problem::new(&rules::BROKEN_CONFIGURATION, lines.character(at), message))
     };
     if text.len() > MOST_BYTES {
         return Err(too_large(0, format!("the file is longer than {} MB; it is not read", MOST_BYTES >> 20)));
@@ -167,20 +166,7 @@ fn problem(text: &str, lines: &Lines<'_>, error: &Error) -> Problem {
             (lines.offset(pos.row, pos.col), reason(other))
         }
     };
-    let end = text.get(at..).and_then(|rest| rest.chars().next()).map_or(at, |c| at + c.len_utf8());
-    Problem::new(&rules::BROKEN_CONFIGURATION, non_empty(lines.span(at..end)), message)
-}
-
-/// A place at the end of a line shows the line's last character.
-fn non_empty(span: Span) -> Span {
-    let mut span = span;
-    if span.end.line > span.start.line {
-        span.end = span.start;
-    }
-    if span.start == span.end && span.start.column > 0 {
-        span.start.column -= 1;
-    }
-    span
+    Problem::new(&rules::BROKEN_CONFIGURATION, lines.character(at), message)
 }
 
 fn reason(error: &Error) -> String {
@@ -217,6 +203,7 @@ fn reason(error: &Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::location::Span;
 
     fn mistake(text: &str) -> String {
         let problem = parse(text).expect_err("a mistake");
@@ -254,6 +241,8 @@ mod tests {
             ("", "T0901 0:0..0:0 the file has no element"),
             ("<a>\n <b>\n</a>\n", "T0901 2:0..2:1 </a> closes nothing: <b> is open"),
             ("<a>\n <b/>\n", "T0901 1:4..1:5 the file ends before its elements are closed"),
+            ("<a>\n <ř", "T0901 1:2..1:4 the file ends before its elements are closed"),
+            ("<a>\n ř &ř\n</a>", "T0901 1:4..1:5 & must be written &amp;"),
             ("<a>\nž & b</a>", "T0901 1:3..1:4 & must be written &amp;"),
             ("<a x='1' x='2'/>", "T0901 0:9..0:10 the attribute x stands here twice"),
             (

@@ -4,6 +4,7 @@ use super::rules::{
     declarations, macros, operands, project as project_rules, sequences, syntax as syntax_rules,
 };
 use super::{Anchor, Diagnostic, Finding, Fix, allow, syntax};
+use crate::catalogue;
 use crate::configuration::cross;
 use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
 use crate::location::{Location, Span};
@@ -111,8 +112,9 @@ fn past(db: &dyn Db, project: Project, overrun: &Overrun) -> Option<Finding> {
     if !(0..i64::from(overrun.declared)).contains(&overrun.offset) {
         return None;
     }
-    if overrun.symbol.scope == SymbolScope::System {
-        // Predefined cells belong together in their order: WORD.PB11 is PB11 with PB12.
+    // `WORD.BZH09` reads BZH09 and BZH10, as the control means it.
+    let end = overrun.offset + i64::from(overrun.bytes);
+    if overrun.symbol.scope == SymbolScope::System && catalogue::goes_on(&name, end) {
         return None;
     }
     let bytes = |n: u32| if n == 1 { "1 byte".to_string() } else { format!("{n} bytes") };

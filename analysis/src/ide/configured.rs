@@ -146,7 +146,9 @@ pub(super) fn hover_in_file(
     language: Language,
 ) -> Option<super::Hover> {
     let all = mentions(&database::configuration_file(db, file).contents);
-    let mention = all.into_iter().find(|it| it.span.touches(at))?;
+    let Some(mention) = all.into_iter().find(|it| it.span.touches(at)) else {
+        return super::configured_word::hover(file.path(db), file.text(db), at, language);
+    };
     let markdown = mention.subjects.iter().find_map(|it| page(db, project, it, language))?;
     Some(super::Hover { markdown, span: mention.span })
 }

@@ -11,6 +11,7 @@ pub mod signature_help;
 pub mod workspace_symbols;
 
 mod configured;
+mod configured_word;
 mod cursor;
 mod describe;
 #[cfg(test)]

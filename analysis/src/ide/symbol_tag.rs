@@ -33,7 +33,8 @@ impl SymbolTag {
         match what {
             What::Bit { .. } => Some(SymbolTag::Bit),
             What::Cell { .. } | What::Typed { .. } | What::Unknown => Some(SymbolTag::Cell),
-            What::Area { .. } => Some(SymbolTag::Area),
+            What::Member { .. } => Some(SymbolTag::Cell),
+            What::Area { .. } | What::Structure(_) => Some(SymbolTag::Area),
             What::Text { .. } => Some(SymbolTag::Text),
             What::Constant(_) => Some(SymbolTag::Constant),
             What::Macro | What::MacroWord => Some(SymbolTag::Macro),

@@ -3,7 +3,7 @@
 use crate::catalogue::{self, Prefix};
 use crate::syntax::ast::{Columns, Expr, ExprKind, Name, Number};
 
-/// An operand taken apart: `[-][PREFIX.]term{+term}[.bit]`.
+/// An operand taken apart: `[-][BLK[n].][PREFIX.]term{+term}{.member}[.bit]`.
 #[derive(Debug, Default)]
 pub(super) struct Shape<'a> {
     /// Sign before everything: negative, where.
@@ -12,9 +12,31 @@ pub(super) struct Shape<'a> {
     pub(super) prefix: Option<PrefixUse>,
     /// What is added up.
     pub(super) terms: Vec<Term<'a>>,
-    /// Name behind the last dot.
-    pub(super) bit: Option<&'a Name>,
+    /// Names behind dots: members of structures, and a bit as the last one.
+    pub(super) behind: Vec<Behind<'a>>,
+    /// `BLK[n].` before everything: which of the prepared blocks.
+    pub(super) block: Option<BlockIndex<'a>>,
 }
+
+/// A name behind a dot.
+#[derive(Debug)]
+pub(super) struct Behind<'a> {
+    pub(super) name: &'a Name,
+    /// `name[n]`.
+    pub(super) index: Option<&'a Expr>,
+    pub(super) columns: Columns,
+}
+
+/// `BLK[n].` in the text.
+#[derive(Debug)]
+pub(super) struct BlockIndex<'a> {
+    /// In the brackets; `None` when they are missing.
+    pub(super) index: Option<&'a Expr>,
+    pub(super) columns: Columns,
+}
+
+/// The word before the brackets of a prepared block.
+const BLOCK: &str = "BLK";
 
 /// A prefix in the text.
 #[derive(Clone, Debug)]
@@ -138,17 +160,58 @@ impl<'a> Shape<'a> {
             });
             return self.take(right, minus, inside);
         }
+        if let Some(block) = block_index(left).filter(|_| self.terms.is_empty() && self.block.is_none()) {
+            self.block = Some(block);
+            return self.take_in_block(expr, right, minus, inside);
+        }
         self.take(left, minus, inside)?;
+        if self.block.is_some() && self.terms.is_empty() {
+            return self.take_in_block(expr, right, minus, inside);
+        }
+        let (name, index) = match &right.kind {
+            ExprKind::Name(name) => (name, None),
+            ExprKind::Index { base, index } => match &base.kind {
+                ExprKind::Name(name) => (name, Some(&**index)),
+                _ => return Err(Misshape::Form(right.columns.clone(), "only a name can be indexed")),
+            },
+            ExprKind::Error => return Err(Misshape::Reported),
+            _ => {
+                let message = "a bit or a member of a structure is needed behind the dot";
+                return Err(Misshape::Form(right.columns.clone(), message));
+            }
+        };
+        self.behind.push(Behind { name, index, columns: right.columns.clone() });
+        Ok(())
+    }
+
+    /// What stands behind `BLK[n].`: a prefix or the member itself.
+    fn take_in_block(
+        &mut self,
+        expr: &'a Expr,
+        right: &'a Expr,
+        minus: bool,
+        inside: bool,
+    ) -> Result<(), Misshape> {
+        if let ExprKind::Name(name) = &right.kind
+            && let Some(spelling) = catalogue::prefix(&name.text)
+        {
+            if self.prefix.is_some() {
+                return Err(Misshape::Form(
+                    name.columns.clone(),
+                    "a type prefix stands once, before the operand",
+                ));
+            }
+            self.prefix = Some(PrefixUse {
+                prefix: spelling.prefix,
+                misspelled: spelling.misspelled,
+                columns: name.columns.clone(),
+            });
+            return Ok(());
+        }
         match &right.kind {
-            ExprKind::Name(name) if self.bit.is_none() => {
-                self.bit = Some(name);
-                Ok(())
-            }
+            ExprKind::Name(_) | ExprKind::Index { .. } => self.take(right, minus, inside),
             ExprKind::Error => Err(Misshape::Reported),
-            ExprKind::Name(_) => {
-                Err(Misshape::Form(expr.columns.clone(), "one bit name can follow an address"))
-            }
-            _ => Err(Misshape::Form(right.columns.clone(), "a bit name is needed behind the dot")),
+            _ => Err(Misshape::Form(expr.columns.clone(), "a member of the block is needed behind the dot")),
         }
     }
 
@@ -165,12 +228,26 @@ impl<'a> Shape<'a> {
     pub(super) fn plain_name(&self) -> Option<&'a Name> {
         match self.terms.as_slice() {
             [Term { minus: false, kind: TermKind::Name(name), .. }]
-                if self.prefix.is_none() && self.bit.is_none() =>
+                if self.prefix.is_none() && self.behind.is_empty() && self.block.is_none() =>
             {
                 Some(name)
             }
             _ => None,
         }
+    }
+}
+
+/// `BLK[n]` or `BLK` before a dot.
+fn block_index(expr: &Expr) -> Option<BlockIndex<'_>> {
+    let (base, index) = match &expr.kind {
+        ExprKind::Index { base, index } => (&**base, Some(&**index)),
+        _ => (expr, None),
+    };
+    match &base.kind {
+        ExprKind::Name(name) if name.text.eq_ignore_ascii_case(BLOCK) => {
+            Some(BlockIndex { index, columns: expr.columns.clone() })
+        }
+        _ => None,
     }
 }
 

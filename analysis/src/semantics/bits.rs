@@ -1,5 +1,6 @@
 //! Bits: `bit`, `ADR.bit`, `$+n.bit` (manual 3.5).
 
+use super::block;
 use super::code::CodeReader;
 use super::hir::{Address, Operand};
 use super::operands::{access, address_of, describe};
@@ -34,7 +35,10 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
         let symbol = reader.resolve(name, access(wanted.access))?;
         return plain_bit(reader, name, &symbol, negated);
     }
-    let Some(position) = shape.bit else {
+    if shape.block.is_some() {
+        return block::bit(reader, &shape, expr, wanted, negated);
+    }
+    if shape.behind.is_empty() {
         let message = "a bit is needed here: a bit name, ADR.bit or $+n.bit";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
         return None;
@@ -45,14 +49,13 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
         return None;
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
-    let mask = reader.resolve(position, ReferenceAccess::Read)?;
-    let (SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit }) = mask.kind else {
-        let message =
-            format!("{} is {}, a bit is needed behind the dot", position.text, describe(&mask.kind));
-        reader.report_symbol(&names::WRONG_SYMBOL, position.columns.clone(), message, &mask.key);
+    let Some((mask, bit)) = sum.bit.clone() else {
+        let last = shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
+        let message = "this is a member of a structure; a bit is needed behind the last dot";
+        reader.report(&rules::OPERAND_KIND, last, message);
         return None;
     };
-    let base = if sum.dollar { Some(mask.clone()) } else { sum.symbol };
+    let base = if sum.dollar { Some(mask) } else { sum.symbol };
     let Some(base) = base.filter(|base| base.kind != SymbolKind::Mechanism && base.bytes().is_some()) else {
         let message = "an address is needed before the dot: a cell, name+n, name[BX] or $+n";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);

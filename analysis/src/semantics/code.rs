@@ -306,9 +306,14 @@ impl<'db> CodeReader<'db> {
             return;
         }
         match entry.name {
-            "EQUI" | "DS" | "STR" | "DFM" => operands::declaration(self, entry, line),
+            "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => {
+                operands::declaration(self, entry, line)
+            }
             "APPEND_T_MACRO" => self.append(line),
             "T_LOCAL" => self.t_local(line),
+            "STRUC" | "ENDS" => {
+                operands::resolve(self, entry, line);
+            }
             _ => {
                 if entry.kind == EntryKind::Directive {
                     operands::resolve(self, entry, line);

@@ -82,8 +82,10 @@ pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bo
 pub(super) struct Reader {
     kind: SectionKind,
     pub(super) found: Declarations,
+    /// The STRUC whose ENDS is still to come.
+    pub(super) structure: Option<super::structures::Open>,
     /// Labels that wait for the line they belong to.
-    pending: Vec<(u32, Name)>,
+    pub(super) pending: Vec<(u32, Name)>,
     /// Lines the parser complained about: their declarations are taken as unknown.
     errors: Vec<u32>,
 }
@@ -91,7 +93,7 @@ pub(super) struct Reader {
 impl Reader {
     /// A reader of lines in a section of a kind; `errors` are the lines the parser complained about.
     pub(super) fn new(kind: SectionKind, errors: Vec<u32>) -> Reader {
-        Reader { kind, found: Declarations::default(), pending: Vec::new(), errors }
+        Reader { kind, found: Declarations::default(), structure: None, pending: Vec::new(), errors }
     }
 
     pub(super) fn line(&mut self, number: u32, line: &Line, text: &str) {
@@ -99,11 +101,17 @@ impl Reader {
             self.pending.push((number, label.clone()));
         }
         let Some(operation) = &line.operation else { return };
+        if self.structure.is_some() {
+            super::structures::inside(self, number, operation);
+        }
         match operation.text.to_ascii_uppercase().as_str() {
             "DFM" if self.holds_data() => self.dfm(number, line),
             "DS" if self.holds_data() => self.ds(number, line),
             "STR" => self.str(number, line),
             "EQUI" => self.equi(number, line),
+            "STRUC" if self.holds_data() => super::structures::open(self, number, line),
+            "ENDS" if self.holds_data() => super::structures::close(self, number, line),
+            "DB" | "DW" | "DD" | "DQ" if self.holds_data() => super::structures::member(self, number, line),
             "MECH_BEGIN" if self.kind == SectionKind::Mechanism && number == 0 => {
                 self.routine(line, What::Mechanism);
             }
@@ -143,6 +151,7 @@ impl Reader {
     }
 
     pub(super) fn labels_of_code(&mut self) {
+        super::structures::end(self);
         if matches!(self.kind, SectionKind::Data | SectionKind::DataLocal) {
             for (line, label) in std::mem::take(&mut self.pending) {
                 let message = format!("{} names nothing: DFM, DS or STR must follow", label.text);
@@ -452,14 +461,20 @@ impl Length {
 /// `name`, `name+n`, `name-n`.
 fn overlay(expr: &Expr) -> Option<Overlay> {
     match &expr.kind {
-        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0 }),
+        ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, later: Vec::new() }),
         ExprKind::Parens(inner) => overlay(inner),
         ExprKind::Sum { minus, left, right } => {
-            let base = overlay(left)?;
-            let step = ConstExpr::read(right).ok()?.literal()?;
-            let offset =
-                if *minus { base.offset.checked_sub(step)? } else { base.offset.checked_add(step)? };
-            Some(Overlay { offset, ..base })
+            let mut base = overlay(left)?;
+            let step = ConstExpr::read(right).ok()?;
+            let step = if *minus { ConstExpr::Negated(Box::new(step)) } else { step };
+            let mut names = Vec::new();
+            step.names(&mut names);
+            if names.is_empty() {
+                base.offset = base.offset.checked_add(step.literal()?)?;
+            } else {
+                base.later.push(step);
+            }
+            Some(base)
         }
         _ => None,
     }

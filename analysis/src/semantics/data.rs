@@ -3,6 +3,7 @@
 use technol_image::op::Width;
 
 use super::address::{PrefixUse, Shape, Term, TermKind};
+use super::block;
 use super::code::CodeReader;
 use super::hir::{Address, Operand};
 use super::operands::{access, describe, integer};
@@ -37,20 +38,25 @@ pub(super) fn value(
     wanted: &ValueRules,
 ) -> Option<Operand> {
     let shape = shape(reader, expr)?;
-    if let Some(name) = shape.bit {
-        let message = format!("{} works on cells, not on bits", entry.name);
-        reader.report(&rules::OPERAND_KIND, name.columns.clone(), message);
-        return None;
+    if shape.block.is_some() {
+        block::readable(reader, entry, wanted.access, expr)?;
     }
     if let [Term { kind: TermKind::Real(value), minus, .. }] = shape.terms.as_slice() {
         let value = if shape.negated() == *minus { *value } else { -value };
         return real(reader, entry, expr, &shape, wanted, value);
     }
     let sum = sum(reader, &shape, expr, access(wanted.access))?;
+    if sum.bit.is_some() {
+        let columns =
+            shape.behind.last().map_or_else(|| expr.columns.clone(), |behind| behind.columns.clone());
+        let message = format!("{} works on cells, not on bits", entry.name);
+        reader.report(&rules::OPERAND_KIND, columns, message);
+        return None;
+    }
     if sum.constant {
         return integer_value(reader, entry, expr, &shape, wanted);
     }
-    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+    let Some(symbol) = sum.symbol.clone().filter(|_| !sum.dollar) else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "$ stands only before a bit: $+n.bit");
         return None;
     };
@@ -61,7 +67,7 @@ pub(super) fn value(
     }
     let width = match &shape.prefix {
         Some(prefix) => prefixed(reader, entry, wanted, prefix, &symbol, expr)?,
-        None => declared(reader, entry, wanted, &symbol, expr)?,
+        None => declared(reader, entry, wanted, &symbol, sum.member, expr)?,
     };
     let high = shape.prefix.as_ref().is_some_and(|prefix| prefix.prefix == Prefix::High);
     if !sum.indexed {
@@ -70,7 +76,7 @@ pub(super) fn value(
     }
     let offset = sum.offset.saturating_add(i64::from(high));
     let address = Address { symbol: symbol.key, offset, indexed: sum.indexed };
-    Some(Operand::Cell { address, width, negated: shape.negated() })
+    Some(sum.in_block(Operand::Cell { address, width, negated: shape.negated() }))
 }
 
 fn prefixed(
@@ -120,9 +126,11 @@ fn declared(
     entry: &Entry,
     wanted: &ValueRules,
     symbol: &Symbol,
+    member: Option<Width>,
     expr: &Expr,
 ) -> Option<Width> {
-    let found = match symbol.kind {
+    let own = member.map_or_else(|| symbol.kind.clone(), SymbolKind::Cell);
+    let found = match own {
         SymbolKind::Cell(width) | SymbolKind::Array { element: width, .. } => width,
         SymbolKind::MechanismLine => Width::Word,
         // A place for REAL or QWORD cells alone gives DS 8 its type.
@@ -156,13 +164,8 @@ fn declared(
     if wanted.declared.contains(as_prefix) {
         return Some(found);
     }
-    let message = format!(
-        "{} is {}; {} takes {}",
-        symbol.key.name,
-        describe(&symbol.kind),
-        entry.name,
-        types(wanted.declared)
-    );
+    let message =
+        format!("{} is {}; {} takes {}", symbol.key.name, describe(&own), entry.name, types(wanted.declared));
     reader.report_symbol(&rules::PREFIX_NOT_ALLOWED, expr.columns.clone(), message, &symbol.key);
     None
 }
@@ -348,12 +351,12 @@ pub(super) fn time(reader: &mut CodeReader<'_>, entry: &'static Entry, expr: &Ex
         reader.report(&rules::SIGN_NOT_ALLOWED, columns, "a time cannot be negated");
         return None;
     }
-    let symbol = total.symbol.filter(|_| !total.dollar && shape.bit.is_none());
+    let symbol = total.symbol.filter(|_| !total.dollar && total.bit.is_none() && total.block.is_none());
     let Some(symbol) = symbol else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), "a time is a number, a constant or a cell");
         return None;
     };
-    let width = match symbol.kind {
+    let width = match total.member.map_or_else(|| symbol.kind.clone(), SymbolKind::Cell) {
         SymbolKind::Cell(width @ (Width::Byte | Width::Word)) => width,
         SymbolKind::MechanismLine => Width::Word,
         // The counter's prefix gives the width; without one it is reported below.
@@ -411,12 +414,12 @@ fn place(
         reader.report(&rules::PREFIX_NOT_ALLOWED, prefix.columns.clone(), message);
         return None;
     }
-    if shape.bit.is_some() || shape.negated() || matches!(&expr.kind, ExprKind::Text(_)) {
+    if shape.block.is_some() || shape.negated() || matches!(&expr.kind, ExprKind::Text(_)) {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
         return None;
     }
     let sum = sum(reader, &shape, expr, access(uses))?;
-    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar) else {
+    let Some(symbol) = sum.symbol.filter(|_| !sum.dollar && sum.bit.is_none()) else {
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), need);
         return None;
     };

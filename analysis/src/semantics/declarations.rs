@@ -92,6 +92,8 @@ pub struct Overlay {
     pub symbol: String,
     /// Byte offset into it.
     pub offset: i64,
+    /// What is added to the offset and needs constants of other sections.
+    pub later: Vec<ConstExpr>,
 }
 
 /// A piece of memory.
@@ -137,6 +139,34 @@ pub struct Declared {
     pub what: What,
 }
 
+/// A length that may need constants of other sections.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// The part that is known.
+    pub known: u32,
+    /// Further parts: so many times the value of the expression.
+    pub open: Vec<(u32, ConstExpr)>,
+}
+
+impl Extent {
+    /// Adds `other`, each part of it `times`.
+    pub fn add(&mut self, other: &Extent, times: u32) {
+        self.known = self.known.saturating_add(other.known.saturating_mul(times));
+        self.open.extend(other.open.iter().map(|(size, expr)| (size.saturating_mul(times), expr.clone())));
+    }
+
+    /// The length, with the values that `constant` knows; `None` when one is missing or out of range.
+    #[must_use]
+    pub fn value(&self, mut constant: impl FnMut(&ConstExpr) -> Option<i64>) -> Option<u32> {
+        let mut total = i64::from(self.known);
+        for (size, expr) in &self.open {
+            let count = constant(expr).filter(|count| (1..=super::collect::MAX_LENGTH).contains(count))?;
+            total = total.checked_add(i64::from(*size) * count)?;
+        }
+        u32::try_from(total).ok().filter(|total| i64::from(*total) <= super::collect::MAX_LENGTH)
+    }
+}
+
 /// What a declared name stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum What {
@@ -174,6 +204,17 @@ pub enum What {
         over: Option<Overlay>,
         /// Maximum number of characters.
         len: u32,
+    },
+    /// STRUC: its length in bytes.
+    Structure(Extent),
+    /// A member of a STRUC.
+    Member {
+        /// Bytes before it.
+        offset: Extent,
+        /// Type of an element.
+        element: Width,
+        /// Number of elements.
+        count: Extent,
     },
     /// EQUI: the value, when the line alone gives it; else see [`Declarations::expressions`].
     Constant(Option<i64>),

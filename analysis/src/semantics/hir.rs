@@ -90,6 +90,22 @@ pub enum Operand {
     Keyword(&'static str),
     /// A text literal.
     Text(Arc<str>),
+    /// A member of one of the prepared blocks, `BLK[n].member` (manual 8.3).
+    Block {
+        /// Which block.
+        number: BlockNumber,
+        /// The bit or cell; its address is the offset in the record of a block.
+        member: Box<Operand>,
+    },
+}
+
+/// Which of the prepared blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockNumber {
+    /// The n-th; 0 is the current one.
+    Fixed(u32),
+    /// The number is in BX.
+    Indexed,
 }
 
 /// An instruction.

@@ -242,12 +242,18 @@ fn is_logical(reader: &CodeReader<'_>, key: &SymbolKey) -> bool {
         if !matches!(site.section.kind(db), SectionKind::Module(_) | SectionKind::Procedure) {
             return false;
         }
-        let lines = match (site.of, database::expansion_of(db, project, site.section)) {
-            (SiteOf::Own, _) | (_, None) => &database::section_lines(db, site.section).lines,
-            (SiteOf::Local | SiteOf::Other, Some(expansion)) => &expansion.parsed.lines,
+        let line = match (site.of, database::expansion_of(db, project, site.section)) {
+            (SiteOf::Other, Some(expansion)) => {
+                let lines = &database::expansion_declarations(db, project, site.section).other_lines;
+                let line = lines.get(site.index as usize);
+                line.and_then(|line| expansion.parsed.lines.get(*line as usize))
+            }
+            _ => {
+                let declared = database::declared(db, project, *site);
+                let lines = &database::section_lines(db, site.section).lines;
+                declared.and_then(|declared| lines.get(declared.line as usize))
+            }
         };
-        let declared = database::declared(db, project, *site);
-        let line = declared.and_then(|declared| lines.get(declared.line as usize));
         let entry = line.and_then(|line| catalogue::entry(&line.operation.as_ref()?.text));
         entry.and_then(Entry::declares) == Some(NewCell::Typed)
     })

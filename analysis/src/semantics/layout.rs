@@ -454,7 +454,7 @@ mod tests {
 
     #[test]
     fn texts_are_initial_memory_and_may_lie_over_other_symbols() {
-        let over = |symbol: &str, offset| Some(Overlay { symbol: symbol.into(), offset });
+        let over = |symbol: &str, offset| Some(Overlay { symbol: symbol.into(), offset, later: Vec::new() });
         let mut text = data(
             &[4],
             vec![

@@ -56,6 +56,9 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
 
 /// EQUI, DS, STR, DFM: names in constants are looked up, so that they are reported where they stand.
 pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) {
+    if matches!(entry.name, "DB" | "DW" | "DD" | "DQ") {
+        return repetitions(reader, line);
+    }
     let value = match entry.name {
         "EQUI" => line.operands.get(1),
         "DS" | "STR" => line.operands.first(),
@@ -106,6 +109,28 @@ pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, li
         let columns = line.operands[1].columns.clone();
         let message = format!("the text has {} characters, the buffer {len}", text.chars().count());
         reader.report(&declarations::TEXT_TOO_LONG, columns, message);
+    }
+}
+
+/// Names in the number of elements of a member: `n DUP (?)`.
+fn repetitions(reader: &mut CodeReader<'_>, line: &Line) {
+    for pair in line.operands.windows(2) {
+        let [times, word] = pair else { continue };
+        if !super::structures::is_word(word, "DUP") {
+            continue;
+        }
+        let mut used = Vec::new();
+        names_in(times, &mut used);
+        if used.is_empty() || used.into_iter().any(|name| !constant_name(reader, name)) {
+            continue;
+        }
+        let most = super::collect::MAX_LENGTH;
+        if let Some(value) = integer(reader, times)
+            && !(1..=most).contains(&value)
+        {
+            let message = format!("the number of elements is not within 1 and {most}");
+            reader.report(&declarations::BAD_LENGTH, times.columns.clone(), message);
+        }
     }
 }
 

@@ -65,6 +65,7 @@ impl Context {
             Place::Anywhere => true,
             Place::Code | Place::Sequence => self.holds_code(),
             Place::Data => self.is_data(),
+            Place::DataOrFileLevel => self.is_data() || self.is_file(),
             Place::AnyModule => self.holds_code() || self.is_data(),
             Place::FileLevel => self.is_file(),
             Place::FileLevelOrModule => !self.included,
@@ -88,7 +89,9 @@ impl Context {
             return Some((&project_rules::INCLUDED_CODE, message));
         }
         let message = match entry.place {
-            Place::Data => format!("{} belongs into DATA or DATA_LOCAL", entry.name),
+            Place::Data | Place::DataOrFileLevel => {
+                format!("{} belongs into DATA or DATA_LOCAL", entry.name)
+            }
             Place::Init => format!("{} belongs into MODULE_INIT", entry.name),
             Place::InitOrProcedure => {
                 format!("{} belongs into MODULE_INIT or a procedure called from it", entry.name)

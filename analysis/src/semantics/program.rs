@@ -8,7 +8,7 @@ use technol_image::op::Width;
 
 use super::constant::{ConstExpr, NoValue};
 use super::constants::Constants;
-use super::declarations::{Declarations, Exports, What};
+use super::declarations::{Declarations, Exports, Extent, What};
 use super::hir::{SymbolKey, SymbolScope};
 use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
 use crate::catalogue::{Prefix, SystemKind};
@@ -230,6 +230,8 @@ fn clash(before: &SymbolKind, now: &SymbolKind, conflict: bool) -> Option<Clash>
     };
     match (before, now) {
         (SymbolKind::Constant(_), SymbolKind::Constant(_)) => conflict.then_some(Clash::Values),
+        // Members of two structures may share a name when they mean the same.
+        (SymbolKind::Member { .. }, SymbolKind::Member { .. }) if before == now => None,
         (SymbolKind::Mechanism, other) | (other, SymbolKind::Mechanism) if cell(other) => {
             Some(Clash::MechanismAndCell)
         }
@@ -311,6 +313,16 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
         What::Constant(_) => {
             constants.values.get(name).copied().flatten().map_or(SymbolKind::Unknown, SymbolKind::Constant)
         }
+        What::Structure(length) => length
+            .value(|expr| constants.value(expr))
+            .map_or(SymbolKind::Unknown, |len| SymbolKind::Structure { len }),
+        What::Member { offset, element, count } => {
+            let value = |extent: &Extent| extent.value(|expr| constants.value(expr));
+            match (value(offset), value(count)) {
+                (Some(offset), Some(len)) => SymbolKind::Member { offset, element: *element, len },
+                _ => SymbolKind::Unknown,
+            }
+        }
         What::Mechanism => SymbolKind::Mechanism,
         What::Procedure => SymbolKind::Procedure,
         What::Macro | What::MacroWord => SymbolKind::Macro,
@@ -361,6 +373,14 @@ pub(crate) fn resolved(
                 What::Text { len: characters, .. } => *characters = len,
                 _ => {}
             }
+        }
+    }
+    for declared in &mut declarations.names {
+        let What::Text { over: Some(over), .. } = &mut declared.what else { continue };
+        for step in std::mem::take(&mut over.later) {
+            // A name that is no constant is reported where the operand is read.
+            let sum = step.value(&mut value).ok().and_then(|step| over.offset.checked_add(step));
+            over.offset = sum.unwrap_or(over.offset);
         }
     }
     declarations

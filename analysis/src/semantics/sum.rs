@@ -1,8 +1,12 @@
 //! Sums of an operand: one address, constants, `$`, an index.
 
-use super::address::{Misshape, PrefixUse, Shape, Term, TermKind};
+use technol_image::op::Width;
+
+use super::address::{Behind, Misshape, PrefixUse, Shape, Term, TermKind};
+use super::block;
 use super::code::CodeReader;
 use super::constant::character;
+use super::hir::{BlockNumber, Operand};
 use super::operands::{describe, integer};
 use super::program::width;
 use super::reference::ReferenceAccess;
@@ -23,6 +27,37 @@ pub(super) struct Sum {
     pub(super) indexed: bool,
     /// A name that is a constant, or a number, and nothing else.
     pub(super) constant: bool,
+    /// Type of the last member of a structure in it.
+    pub(super) member: Option<Width>,
+    /// The bit behind the last dot.
+    pub(super) bit: Option<(Symbol, u8)>,
+    /// Which of the prepared blocks the symbol is a member of.
+    pub(super) block: Option<BlockNumber>,
+}
+
+impl Default for Sum {
+    fn default() -> Self {
+        Sum {
+            symbol: None,
+            dollar: false,
+            offset: 0,
+            indexed: false,
+            constant: true,
+            member: None,
+            bit: None,
+            block: None,
+        }
+    }
+}
+
+impl Sum {
+    /// The operand, or the same in one of the prepared blocks.
+    pub(super) fn in_block(&self, operand: Operand) -> Operand {
+        match self.block {
+            Some(number) => Operand::Block { number, member: Box::new(operand) },
+            None => operand,
+        }
+    }
 }
 
 /// The shape of an operand; reports what has none.
@@ -64,10 +99,21 @@ pub(super) fn sum(
     expr: &Expr,
     uses: ReferenceAccess,
 ) -> Option<Sum> {
-    let mut sum = Sum { symbol: None, dollar: false, offset: 0, indexed: false, constant: true };
+    if let Some(block) = &shape.block {
+        return block::member(reader, shape, block, expr);
+    }
+    let mut sum = Sum::default();
     let element = shape.prefix.as_ref().map(|prefix| width(prefix.prefix).bytes());
     for term in &shape.terms {
         add(reader, &mut sum, term, element, uses)?;
+    }
+    for (index, behind) in shape.behind.iter().enumerate() {
+        dotted(reader, &mut sum, behind, index + 1 == shape.behind.len())?;
+    }
+    if sum.member.is_some() && sum.symbol.is_none() && !sum.dollar {
+        let message = "a member of a structure needs the memory it lies in: base.MEMBER or (base+MEMBER)";
+        reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
+        return None;
     }
     if sum.dollar && sum.symbol.is_some() {
         let message = "$ stands for the byte of the bit; no other address can be added to it";
@@ -79,6 +125,77 @@ pub(super) fn sum(
         return None;
     }
     Some(sum)
+}
+
+/// A name behind a dot: a member of a structure or, as the last one, a bit.
+fn dotted(reader: &mut CodeReader<'_>, sum: &mut Sum, behind: &Behind<'_>, last: bool) -> Option<()> {
+    let symbol = reader.resolve(behind.name, ReferenceAccess::Read)?;
+    match symbol.kind {
+        SymbolKind::Member { offset, element, len } => {
+            member(reader, sum, behind, (offset, element, len), false)
+        }
+        SymbolKind::Bit { bit } | SymbolKind::FormalBit { bit } if last && behind.index.is_none() => {
+            sum.bit = Some((symbol, bit));
+            Some(())
+        }
+        _ => {
+            let need = if last { "a bit or a member of a structure" } else { "a member of a structure" };
+            let message =
+                format!("{} is {}, {need} is needed here", behind.name.text, describe(&symbol.kind));
+            reader.report_symbol(&names::WRONG_SYMBOL, behind.name.columns.clone(), message, &symbol.key);
+            None
+        }
+    }
+}
+
+/// Adds the offset of a member, or of its n-th element.
+fn member(
+    reader: &mut CodeReader<'_>,
+    sum: &mut Sum,
+    behind: &Behind<'_>,
+    (offset, element, len): (u32, Width, u32),
+    minus: bool,
+) -> Option<()> {
+    sum.constant = false;
+    let mut distance = i64::from(offset);
+    match behind.index {
+        None => {}
+        Some(index) if is_bx(index) => sum.indexed = true,
+        Some(index) => {
+            let number = integer(reader, index)?;
+            within(reader, behind.name, index, number, len)?;
+            distance += number * i64::from(element.bytes());
+        }
+    }
+    sum.member = Some(element);
+    let Some(total) = sum.offset.checked_add(if minus { -distance } else { distance }) else {
+        reader.report(&rules::CONSTANT_TOO_LARGE, behind.columns.clone(), "the value is too large");
+        return None;
+    };
+    sum.offset = total;
+    Some(())
+}
+
+/// Whether an index is BX, which the program sets at run time.
+pub(super) fn is_bx(index: &Expr) -> bool {
+    matches!(&index.kind, ExprKind::Name(name) if name.text.eq_ignore_ascii_case("BX"))
+}
+
+/// Whether an array of `len` elements has the element `number`; reports it when not.
+pub(super) fn within(
+    reader: &mut CodeReader<'_>,
+    name: &Name,
+    index: &Expr,
+    number: i64,
+    len: u32,
+) -> Option<()> {
+    if (0..i64::from(len)).contains(&number) {
+        return Some(());
+    }
+    let last = len.saturating_sub(1);
+    let message = format!("{} has the elements 0 to {last}, there is no {number}", name.text);
+    reader.report(&memory::INDEX_OUTSIDE_ARRAY, index.columns.clone(), message);
+    None
 }
 
 fn add(
@@ -123,27 +240,26 @@ fn add(
             let symbol = reader.resolve(name, uses)?;
             match symbol.kind {
                 SymbolKind::Constant(value) => value,
+                SymbolKind::Member { offset, element, len } => {
+                    let behind = Behind { name, index: None, columns: term.columns.clone() };
+                    return member(reader, sum, &behind, (offset, element, len), term.minus);
+                }
                 _ => return memory(reader, sum, term, symbol, name),
             }
         }
         TermKind::Indexed(name, index) => {
             let symbol = reader.resolve(name, uses)?;
-            let by_bx = matches!(&index.kind, ExprKind::Name(index) if index.text.eq_ignore_ascii_case("BX"));
-            if by_bx {
+            if let SymbolKind::Member { offset, element, len } = symbol.kind {
+                let behind = Behind { name, index: Some(index), columns: term.columns.clone() };
+                return member(reader, sum, &behind, (offset, element, len), term.minus);
+            }
+            if is_bx(index) {
                 sum.indexed = true;
             } else {
                 let number = integer(reader, index)?;
                 let size = match symbol.kind {
                     SymbolKind::Array { element, len } => {
-                        if !(0..i64::from(len)).contains(&number) {
-                            let message = format!(
-                                "{} has the elements 0 to {}, there is no {number}",
-                                name.text,
-                                len.saturating_sub(1)
-                            );
-                            reader.report(&memory::INDEX_OUTSIDE_ARRAY, index.columns.clone(), message);
-                            return None;
-                        }
+                        within(reader, name, index, number, len)?;
                         element.bytes()
                     }
                     SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),

@@ -54,10 +54,11 @@ fn line(cursor: &mut Cursor<'_>) -> Line {
     let mut word = first_word(cursor);
     if let Some(name) = word {
         let colon = cursor.peek_kind() == Some(SyntaxKind::Colon);
-        if colon || declares_without_colon(cursor) {
+        let structure = !colon && declares_structure(cursor);
+        if colon || structure || declares_without_colon(cursor) {
             if colon {
                 cursor.bump();
-            } else {
+            } else if !structure {
                 cursor.report(name.columns(), SyntaxErrorKind::ExpectedColon);
             }
             line.label = Some(cursor.name(name));
@@ -97,6 +98,22 @@ fn declares_without_colon(cursor: &mut Cursor<'_>) -> bool {
     let behind = cursor.tokens[cursor.at + 1..].iter().find(|t| t.kind != SyntaxKind::Whitespace);
     declares && behind.is_some_and(|t| matches!(t.kind, SyntaxKind::Name | SyntaxKind::Number))
 }
+
+/// `NAME STRUC`, `NAME ENDS`, `MEMBER DB ?`: the assembler's structures, whose names have no colon.
+fn declares_structure(cursor: &mut Cursor<'_>) -> bool {
+    let Some(word) = cursor.peek().filter(|token| token.kind == SyntaxKind::Name) else { return false };
+    let is = |words: &[&str]| words.iter().any(|w| cursor.spelling(word).eq_ignore_ascii_case(w));
+    let (encloses, member) = (is(&["STRUC", "ENDS"]), is(CELLS));
+    let behind = cursor.tokens[cursor.at + 1..].iter().find(|t| t.kind != SyntaxKind::Whitespace);
+    let alone = behind.is_none_or(|t| t.kind == SyntaxKind::Comment);
+    (encloses && alone)
+        || (member
+            && !alone
+            && behind.is_some_and(|t| !matches!(t.kind, SyntaxKind::Comma | SyntaxKind::Dot)))
+}
+
+/// Words of the assembler that declare a member of a structure.
+const CELLS: &[&str] = &["DB", "DW", "DD", "DQ"];
 
 fn operands(cursor: &mut Cursor<'_>, operation: Token) -> Vec<Expr> {
     let mut operands = Vec::new();
@@ -158,7 +175,7 @@ fn separator(cursor: &mut Cursor<'_>, blank_separates: bool) -> Separator {
 /// Words of the assembler that take their operand without a comma: `MEMBER DB ?`, `DW 2 DUP (0)`.
 fn separates(operand: Option<&Expr>) -> bool {
     let Some(Expr { kind: ExprKind::Name(name), .. }) = operand else { return false };
-    ["DB", "DW", "DD", "DQ", "DUP"].iter().any(|word| name.text.eq_ignore_ascii_case(word))
+    CELLS.iter().chain(&["DUP"]).any(|word| name.text.eq_ignore_ascii_case(word))
 }
 
 fn is_dup(cursor: &Cursor<'_>, token: Token) -> bool {

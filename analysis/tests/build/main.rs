@@ -1,5 +1,6 @@
 //! From source text to program image.
 
+mod configuration;
 mod debug_information;
 mod expressions;
 mod incremental;

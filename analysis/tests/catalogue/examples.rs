@@ -7,19 +7,7 @@ use technol_analysis::catalogue::entries;
 use super::program::{Program, check, project, shown};
 
 /// Examples that cannot check clean, with the reason.
-const NOT_CLEAN: &[(&str, &str)] = &[
-    ("CAN_AX_SEND", "members of structures"),
-    ("STRUC", "structures"),
-    ("ENDS", "structures"),
-    ("DB", "structures"),
-    ("DW", "structures"),
-    ("DD", "structures"),
-    ("DQ", "structures"),
-    ("MODULE_CYCLICOPERATION", "the module"),
-    ("MODULE_CYCLICOPERATION_END", "the module"),
-    ("MODULE_FASTEST", "the module"),
-    ("MODULE_FASTEST_END", "the module"),
-];
+const NOT_CLEAN: &[(&str, &str)] = &[];
 
 #[test]
 fn every_example_of_the_help_checks_clean_where_it_belongs() {

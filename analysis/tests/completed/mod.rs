@@ -127,9 +127,11 @@ fn completed(skeleton: &str, text: &str) -> String {
 fn parts(text: &str) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     let mut open: Option<String> = None;
+    let mut in_macro = false;
     for line in text.lines() {
         let word = line.split_whitespace().next().unwrap_or_default().to_ascii_uppercase();
-        let top = word == "DATA" || word == "DATA_LOCAL" || word.starts_with("MODULE_");
+        in_macro = word == "DEF_T_MACRO" || (in_macro && word != "END_T_MACRO");
+        let top = !in_macro && (word == "DATA" || word == "DATA_LOCAL" || word.starts_with("MODULE_"));
         let finished = ["MODULE_INIT_FINISHED", "MODULE_DONE_FINISHED"].contains(&word.as_str());
         if top && !word.ends_with("_END") && !finished {
             parts.push(Part { keyword: Some(word.clone()), text: String::new() });

@@ -32,6 +32,7 @@ impl Session {
         let result = self.aside(move || builder.build(&program, policy))?;
         match result {
             Ok(project) => {
+                self.list(OutputEventCategory::Stderr, "error", &project.configuration_errors);
                 self.list(OutputEventCategory::Console, "warning", &project.warnings);
                 self.say(&project.summary);
                 if project.image.debug.is_none() {

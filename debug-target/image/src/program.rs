@@ -57,11 +57,18 @@ pub enum ModuleKind {
     Fast,
     /// MODULE_CONT: each 20 ms, also while the debugger holds the rest.
     Cont,
+    /// MODULE_CYCLICOPERATION: each millisecond, before MODULE_FAST.
+    CyclicOperation,
+    /// MODULE_FASTEST: once to ten times a millisecond, see [`FASTEST_PERIODS`].
+    Fastest,
 }
+
+/// Periods of MODULE_FASTEST in microseconds; the last one is the default.
+pub const FASTEST_PERIODS: [u16; 5] = [100, 200, 250, 500, 1000];
 
 impl ModuleKind {
     /// All kinds in the order of their numbers, which the debug protocol uses.
-    pub const ALL: [ModuleKind; 10] = [
+    pub const ALL: [ModuleKind; 12] = [
         ModuleKind::Input,
         ModuleKind::BlockInit,
         ModuleKind::BlockDone,
@@ -72,6 +79,8 @@ impl ModuleKind {
         ModuleKind::Halt,
         ModuleKind::Fast,
         ModuleKind::Cont,
+        ModuleKind::CyclicOperation,
+        ModuleKind::Fastest,
     ];
 
     /// The kind with that number.
@@ -94,7 +103,15 @@ impl ModuleKind {
             ModuleKind::Halt => "MODULE_HALT",
             ModuleKind::Fast => "MODULE_FAST",
             ModuleKind::Cont => "MODULE_CONT",
+            ModuleKind::CyclicOperation => "MODULE_CYCLICOPERATION",
+            ModuleKind::Fastest => "MODULE_FASTEST",
         }
+    }
+
+    /// It runs in the raster of a millisecond or faster, which no debugger can hold.
+    #[must_use]
+    pub const fn is_fast(self) -> bool {
+        matches!(self, ModuleKind::Fast | ModuleKind::CyclicOperation | ModuleKind::Fastest)
     }
 }
 

@@ -41,7 +41,7 @@ pub struct About {
     pub name: String,
 }
 
-/// Which ports are copied each millisecond.
+/// Which ports are copied each millisecond, and how fast the fastest module is.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Io {
@@ -49,6 +49,8 @@ pub struct Io {
     pub fast_inputs: Vec<String>,
     /// Output ports, for instance `P3OUT`.
     pub fast_outputs: Vec<String>,
+    /// Microseconds between the passes of MODULE_FASTEST; 1000 unless given.
+    pub fastest_period_us: Option<u16>,
 }
 
 /// An output drives a feedback input after a delay: contactors, relays, valves with a pressure switch.

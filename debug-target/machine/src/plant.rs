@@ -1,8 +1,11 @@
 //! The machine as a whole.
 
+use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
+
+use technol_image::program::FASTEST_PERIODS;
 
 use crate::block::{BlockStart, Program};
 use crate::compile::{Compiler, ConfigError};
@@ -14,6 +17,9 @@ use crate::key::Key;
 use crate::limit::Limit;
 use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
 use crate::turret::Turret;
+
+/// Period of MODULE_FASTEST in microseconds when nothing is said.
+const DEFAULT_FASTEST: u16 = 1000;
 
 /// Something the machine does besides changing inputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,6 +61,8 @@ pub struct Plant {
     faults: Vec<Fault>,
     programs: Vec<Program>,
     fast_inputs: Vec<u8>,
+    /// 0: the default.
+    fastest_period: u16,
     fast_outputs: Vec<u8>,
 }
 
@@ -103,6 +111,13 @@ impl Plant {
             fast.fast_inputs.iter().filter_map(|n| compiler.port("fast-inputs", n, true)).collect();
         plant.fast_outputs =
             fast.fast_outputs.iter().filter_map(|n| compiler.port("fast-outputs", n, false)).collect();
+        let fastest = fast.fastest_period_us.unwrap_or(DEFAULT_FASTEST);
+        if FASTEST_PERIODS.contains(&fastest) {
+            plant.fastest_period = fastest;
+        } else {
+            let message = format!("{fastest} µs is no period of MODULE_FASTEST; use 100, 200, 250, 500 or 1000");
+            compiler.error("fastest-period-us", message);
+        }
         if compiler.errors.is_empty() { Ok(plant) } else { Err(compiler.errors) }
     }
 
@@ -190,6 +205,12 @@ impl Plant {
     #[must_use]
     pub fn fast_inputs(&self) -> &[u8] {
         &self.fast_inputs
+    }
+
+    /// Microseconds between the passes of MODULE_FASTEST.
+    #[must_use]
+    pub fn fastest_period(&self) -> u16 {
+        if self.fastest_period == 0 { DEFAULT_FASTEST } else { self.fastest_period }
     }
 
     /// Indices of the output ports (0 is P0OUT) that are copied each millisecond.

@@ -221,7 +221,7 @@ fn bits_that_no_element_drives_stay_as_they_are() {
 
 #[test]
 fn everything_that_is_wrong_is_named_with_its_place() {
-    let toml = "[io]\nfast-inputs=['P5IN','P0OUT']\nfast-outputs=['P99OUT']\n\
+    let toml = "[io]\nfast-inputs=['P5IN','P0OUT']\nfast-outputs=['P99OUT']\nfastest-period-us=300\n\
         [[contact]]\noutput='P1IN.0'\ninput='P1IN.0'\n\
         [[contact]]\noutput='MOTOR'\ninput='P0OUT.0'\n\
         [[contact]]\noutput='P0OUT.1'\ninput='P1IN.0'\n\
@@ -258,6 +258,7 @@ fn everything_that_is_wrong_is_named_with_its_place() {
         "block[2].on: `X` is not a bit of a port; use P1IN.0 to P128IN.7 or P0OUT.0 to P95OUT.7",
         "io.fast-inputs: `P0OUT` is not an input port; use P1IN to P128IN",
         "io.fast-outputs: `P99OUT` is not an output port; use P0OUT to P95OUT",
+        "io.fastest-period-us: 300 µs is no period of MODULE_FASTEST; use 100, 200, 250, 500 or 1000",
     ];
     assert_eq!(errors, expected);
 }

@@ -122,7 +122,7 @@ pub(crate) fn procedure_of(program: &Program, pc: Pc) -> Option<u16> {
 
 /// The debugger may stop in modules of this kind.
 pub(crate) const fn is_stoppable(kind: ModuleKind) -> bool {
-    !matches!(kind, ModuleKind::Fast | ModuleKind::Cont)
+    !kind.is_fast() && !matches!(kind, ModuleKind::Cont)
 }
 
 /// The operation never continues with the one after it.

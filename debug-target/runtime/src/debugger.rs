@@ -17,7 +17,7 @@ use crate::sequence::activation;
 pub enum BreakpointError {
     /// No statement starts at this operation.
     NotAStatement,
-    /// MODULE_FAST takes no break-points.
+    /// MODULE_FAST, MODULE_CYCLICOPERATION and MODULE_FASTEST take no break-points.
     InFast,
     /// MODULE_CONT never stops.
     InCont,
@@ -27,7 +27,7 @@ impl fmt::Display for BreakpointError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             BreakpointError::NotAStatement => "no instruction starts here; choose a line with code",
-            BreakpointError::InFast => "MODULE_FAST takes no break-points; use a trace",
+            BreakpointError::InFast => "a module of the 1 ms raster takes no break-points; use a trace",
             BreakpointError::InCont => "MODULE_CONT is never stopped; choose another module",
         })
     }
@@ -102,7 +102,7 @@ pub struct Stop {
 pub(crate) enum Line {
     /// The 20 ms modules.
     Main,
-    /// MODULE_FAST.
+    /// MODULE_CYCLICOPERATION, MODULE_FAST and MODULE_FASTEST.
     Fast,
     /// MODULE_CONT.
     Cont,
@@ -111,7 +111,7 @@ pub(crate) enum Line {
 impl Line {
     pub(crate) const fn of(kind: ModuleKind) -> Line {
         match kind {
-            ModuleKind::Fast => Line::Fast,
+            kind if kind.is_fast() => Line::Fast,
             ModuleKind::Cont => Line::Cont,
             _ => Line::Main,
         }

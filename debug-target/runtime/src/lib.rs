@@ -41,6 +41,7 @@ pub use event::{Command, PlcState, RateKind, RuntimeEvent};
 pub use fault::{Fault, FaultKind};
 pub use load_error::{LoadError, LoadItem};
 pub use memory::AccessError;
+pub use plan::PeriodError;
 pub use ports::{InputImage, OutputImage};
 pub use registers::Registers;
 pub use runtime::{Limits, Runtime, TickOutcome};

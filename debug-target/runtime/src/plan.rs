@@ -2,9 +2,25 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::fmt;
 
 use technol_image::Program;
 use technol_image::program::ModuleKind;
+
+/// A period that MODULE_FASTEST does not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PeriodError {
+    /// Microseconds.
+    pub micros: u16,
+}
+
+impl fmt::Display for PeriodError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "MODULE_FASTEST runs every 100, 200, 250, 500 or 1000 µs, not every {}", self.micros)
+    }
+}
+
+impl core::error::Error for PeriodError {}
 
 /// A run of jobs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +75,8 @@ pub(crate) struct Plans {
 }
 
 impl Plans {
-    pub(crate) fn new(program: &Program) -> Plans {
+    /// The plans of a program whose MODULE_FASTEST runs `fastest` times a millisecond.
+    pub(crate) fn new(program: &Program, fastest: usize) -> Plans {
         let modules = |kind: ModuleKind| {
             let of_kind = program.modules.iter().enumerate().filter(move |(_, m)| m.kind == kind);
             of_kind.map(|(index, _)| Job::Module(index))
@@ -79,12 +96,19 @@ impl Plans {
         } else {
             Vec::new()
         };
+        let mut fast = vec![Job::FastInputs];
+        fast.extend(modules(ModuleKind::CyclicOperation));
+        fast.extend(modules(ModuleKind::Fast));
+        for _ in 0..fastest {
+            fast.extend(modules(ModuleKind::Fastest));
+        }
+        fast.push(Job::FastOutputs);
         Plans {
             init: around(&[Job::Inputs], ModuleKind::Init, &[]),
             done: around(&[], ModuleKind::Done, &[Job::Outputs]),
             clear: around(&[], ModuleKind::Clear, &[]),
             halt: around(&[], ModuleKind::Halt, &[Job::Outputs]),
-            fast: around(&[Job::FastInputs], ModuleKind::Fast, &[Job::FastOutputs]),
+            fast,
             cycle,
             held,
         }

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use technol_image::Program;
 use technol_image::op::{Addr, BitRef, Pc};
-use technol_image::program::SequenceKind;
+use technol_image::program::{FASTEST_PERIODS, SequenceKind};
 use technol_image::system;
 
 use crate::block::BlockCycle;
@@ -20,7 +20,7 @@ use crate::execute::Machine;
 use crate::fault::Fault;
 use crate::load_error::LoadError;
 use crate::memory::{AccessError, Memory};
-use crate::plan::{PlanKind, Plans};
+use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
 use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
@@ -103,7 +103,7 @@ impl Runtime {
         };
         let mut runtime = Runtime {
             code: Code::new(&program),
-            plans: Plans::new(&program),
+            plans: Plans::new(&program, 1),
             machine,
             main: Context::new(),
             fast: Context::new(),
@@ -181,6 +181,16 @@ impl Runtime {
         let inputs = check(inputs, system::IN_PORT_COUNT)?;
         self.fast_outputs = check(outputs, system::OUT_PORT_COUNT)?;
         self.fast_inputs = inputs;
+        Ok(())
+    }
+
+    /// Microseconds between the passes of MODULE_FASTEST, 1000 unless set: so many passes follow MODULE_FAST in
+    /// each millisecond. The fast plan is never held in its middle, so it may be laid out anew at any time.
+    pub fn set_fastest_period(&mut self, micros: u16) -> Result<(), PeriodError> {
+        if !FASTEST_PERIODS.contains(&micros) {
+            return Err(PeriodError { micros });
+        }
+        self.plans = Plans::new(&self.program, usize::from(1000 / micros));
         Ok(())
     }
 

@@ -6,7 +6,6 @@
 
 mod channel;
 mod keyboard;
-mod keys;
 mod motion;
 mod names;
 mod other;
@@ -141,7 +140,7 @@ impl ValueKind {
             ValueKind::Words(words) => {
                 (words.contains(&trimmed), listed(words.iter().map(|word| (*word).to_string())))
             }
-            ValueKind::Named(names) => (names.all().contains(trimmed), names.what().to_string()),
+            ValueKind::Named(names) => (names.word(trimmed).is_some(), names.what().to_string()),
             ValueKind::IntegerOr(words) => (
                 integer().is_some() || words.contains(&trimmed),
                 format!("a number, {}", listed(words.iter().map(|word| (*word).to_string()))),
@@ -155,7 +154,7 @@ impl ValueKind {
     pub fn words(self) -> Vec<&'static str> {
         match self {
             ValueKind::Words(words) | ValueKind::IntegerOr(words) => words.to_vec(),
-            ValueKind::Named(names) => names.all().iter().map(String::as_str).collect(),
+            ValueKind::Named(names) => names.words().map(|word| word.name).collect(),
             _ => Vec::new(),
         }
     }

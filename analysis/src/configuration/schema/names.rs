@@ -1,11 +1,10 @@
-//! Long lists of names.
+//! Long lists of words, which the catalogue knows.
 
-use std::collections::BTreeSet;
-use std::sync::LazyLock;
+use crate::catalogue::configuration::{
+    ConfigurationPlace, ConfigurationWord, configuration_word, configuration_words,
+};
 
-use super::keys;
-
-/// A list of names.
+/// A list of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Names {
     /// Keys of a PC keyboard: `VK_…`.
@@ -17,17 +16,23 @@ pub enum Names {
 }
 
 impl Names {
-    /// All of them.
-    #[must_use]
-    pub fn all(self) -> &'static BTreeSet<String> {
-        static VIRTUAL_KEYS: LazyLock<BTreeSet<String>> = LazyLock::new(|| expanded(keys::VIRTUAL_KEYS));
-        static COMMANDS: LazyLock<BTreeSet<String>> = LazyLock::new(|| expanded(keys::COMMANDS));
-        static RTM_COMMANDS: LazyLock<BTreeSet<String>> = LazyLock::new(|| expanded(keys::RTM_COMMANDS));
+    const fn place(self) -> ConfigurationPlace {
         match self {
-            Names::VirtualKey => &VIRTUAL_KEYS,
-            Names::Command => &COMMANDS,
-            Names::RtmCommand => &RTM_COMMANDS,
+            Names::VirtualKey => ConfigurationPlace::VirtualKey,
+            Names::Command => ConfigurationPlace::Command,
+            Names::RtmCommand => ConfigurationPlace::RtmCommand,
         }
+    }
+
+    /// All of them, in the order of the manual.
+    pub fn words(self) -> impl Iterator<Item = &'static ConfigurationWord> {
+        configuration_words().filter(move |word| word.place == self.place())
+    }
+
+    /// The word of exactly this spelling.
+    #[must_use]
+    pub fn word(self, name: &str) -> Option<&'static ConfigurationWord> {
+        configuration_word(self.place(), name).filter(|word| word.name == name)
     }
 
     /// What they are.
@@ -41,65 +46,30 @@ impl Names {
     }
 }
 
-fn expanded(patterns: &[&str]) -> BTreeSet<String> {
-    let mut all = BTreeSet::new();
-    for word in patterns.iter().flat_map(|line| line.split_whitespace()) {
-        all.extend(expand(word));
-    }
-    all
-}
-
-/// `A{0-2}` and `A{|B}`: each choice of the braces, numbers as wide as the first.
-fn expand(pattern: &str) -> Vec<String> {
-    let mut done = vec![String::new()];
-    for part in pattern.split('{') {
-        let (choices, rest) = match part.split_once('}') {
-            Some((choices, rest)) => (choices_of(choices), rest),
-            None => (vec![String::new()], part),
-        };
-        done = done
-            .iter()
-            .flat_map(|head| choices.iter().map(move |choice| format!("{head}{choice}{rest}")))
-            .collect();
-    }
-    done
-}
-
-fn choices_of(text: &str) -> Vec<String> {
-    let range = text
-        .split_once('-')
-        .and_then(|(first, last)| Some((first.len(), first.parse::<u32>().ok()?, last.parse::<u32>().ok()?)));
-    match range {
-        Some((width, first, last)) => (first..=last).map(|number| format!("{number:0width$}")).collect(),
-        None => text.split('|').map(str::to_string).collect(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn braces_stand_for_each_of_their_choices() {
-        assert_eq!(expand("A"), ["A"]);
-        assert_eq!(expand("A{8-11}B"), ["A8B", "A9B", "A10B", "A11B"]);
-        assert_eq!(
-            expand("{|I}M{00-01}{|N}"),
-            ["M00", "M00N", "M01", "M01N", "IM00", "IM00N", "IM01", "IM01N"]
-        );
+    fn the_lists_hold_what_panels_use() {
+        for (list, name) in [
+            (Names::VirtualKey, "VK_F24"),
+            (Names::Command, "ID_MMM_MAN"),
+            (Names::Command, "ID_SMRIGHT_BTN15"),
+            (Names::RtmCommand, "RTMID_MMM_SEL00"),
+            (Names::RtmCommand, "RTMID_IMMM_MOVE01"),
+            (Names::RtmCommand, "RTMID_MMM_SHIFT_ACT"),
+            (Names::RtmCommand, "RTMID_KEYB3_FUNCTION2_TOGGLE"),
+        ] {
+            assert_eq!(list.word(name).map(|word| word.name), Some(name));
+        }
+        assert_eq!(Names::VirtualKey.words().count(), 196);
+        assert_eq!(Names::Command.words().count(), 300);
     }
 
     #[test]
-    fn the_lists_hold_what_panels_use() {
-        assert!(Names::VirtualKey.all().contains("VK_F24"));
-        assert!(Names::Command.all().contains("ID_MMM_MAN"));
-        assert!(Names::Command.all().contains("ID_SMRIGHT_BTN15"));
-        for name in
-            ["RTMID_MMM_SEL00", "RTMID_IMMM_MOVE01", "RTMID_MMM_SHIFT_ACT", "RTMID_KEYB3_FUNCTION2_TOGGLE"]
-        {
-            assert!(Names::RtmCommand.all().contains(name), "{name}");
-        }
-        assert_eq!(Names::VirtualKey.all().len(), 196);
-        assert_eq!(Names::Command.all().len(), 300);
+    fn a_word_of_another_list_or_spelling_is_none() {
+        assert_eq!(Names::Command.word("VK_F24"), None);
+        assert_eq!(Names::VirtualKey.word("vk_f24"), None);
     }
 }

@@ -141,6 +141,8 @@ impl Registers {
 
 fn is_real(operands: &[Operand]) -> bool {
     operands.iter().any(|operand| {
+        // `BLK[n].REAL.member`: the member decides.
+        let operand = if let Operand::Block { member, .. } = operand { member.as_ref() } else { operand };
         matches!(
             operand,
             Operand::Real(_) | Operand::Keyword("REAL") | Operand::Cell { width: Width::Real, .. }

@@ -108,6 +108,22 @@ fn fast_ports_are_copied_each_millisecond() {
     assert!(bench.plc.set_fast_ports(&[], &[96]).is_err());
 }
 
+#[test]
+fn the_fastest_module_runs_after_the_fast_ones_as_often_as_its_period_fits() {
+    let mut b = Builder::new();
+    b.module(ModuleKind::Fastest, 0, |b| log(b, 3));
+    b.module(ModuleKind::Fast, 0, |b| log(b, 2));
+    b.module(ModuleKind::CyclicOperation, 0, |b| log(b, 1));
+    let mut bench = b.load().started();
+    bench.millis(2);
+    assert_eq!(logged(&bench), [1, 2, 3, 1, 2, 3], "once a millisecond unless set");
+    let wrong = bench.plc.set_fastest_period(300).expect_err("no such period");
+    assert!(wrong.to_string().contains("not every 300"));
+    bench.plc.set_fastest_period(250).expect("a period");
+    bench.millis(1);
+    assert_eq!(logged(&bench)[6..], [1, 2, 3, 3, 3, 3]);
+}
+
 fn with_init(b: &mut Builder) {
     b.module(ModuleKind::Init, 0, |b| b.ops([sto(A + 8, Width::DWord), lod(99)]));
     b.module(ModuleKind::Init, 1, |b| b.op(sto(A + 12, Width::DWord)));

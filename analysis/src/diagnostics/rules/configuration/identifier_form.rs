@@ -30,5 +30,6 @@ pub static IDENTIFIER_FORM: Rule = Rule {
         "</Connections>\n",
     ),
     chapter: "27.3",
+    fix: true,
     ..Rule::BASE
 };

@@ -41,5 +41,6 @@ pub static TABLE_COUNT: Rule = Rule {
         "</PLCTable>\n",
     ),
     chapter: "17.1",
+    fix: true,
     ..Rule::BASE
 };

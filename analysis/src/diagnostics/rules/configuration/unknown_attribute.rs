@@ -30,5 +30,6 @@ pub static UNKNOWN_ATTRIBUTE: Rule = Rule {
         "</Plc>\n",
     ),
     chapter: "10.2",
+    fix: true,
     ..Rule::BASE
 };

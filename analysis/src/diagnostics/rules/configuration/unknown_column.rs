@@ -41,5 +41,6 @@ pub static UNKNOWN_COLUMN: Rule = Rule {
         "</PLCTable>\n",
     ),
     chapter: "17.2",
+    fix: true,
     ..Rule::BASE
 };

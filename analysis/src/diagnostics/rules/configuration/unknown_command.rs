@@ -44,5 +44,6 @@ pub static UNKNOWN_COMMAND: Rule = Rule {
         "</KeyboardConfig>\n",
     ),
     chapter: "11.3",
+    fix: true,
     ..Rule::BASE
 };

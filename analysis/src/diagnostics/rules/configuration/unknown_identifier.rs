@@ -32,5 +32,6 @@ pub static UNKNOWN_IDENTIFIER: Rule = Rule {
         "</Plc>\n",
     ),
     chapter: "10.4",
+    fix: true,
     ..Rule::BASE
 };

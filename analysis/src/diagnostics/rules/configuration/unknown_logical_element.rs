@@ -30,5 +30,6 @@ pub static UNKNOWN_LOGICAL_ELEMENT: Rule = Rule {
         "</Connections>\n",
     ),
     chapter: "27.3",
+    fix: true,
     ..Rule::BASE
 };

@@ -42,5 +42,6 @@ pub static UNKNOWN_TABLE: Rule = Rule {
         "</PLCTable>\n",
     ),
     chapter: "17.2",
+    fix: true,
     ..Rule::BASE
 };

@@ -42,5 +42,6 @@ pub static MACRO_DATA: Rule = Rule {
         "MODULE_MAIN_END\n",
     ),
     chapter: "22.3",
+    fix: true,
     ..Rule::BASE
 };

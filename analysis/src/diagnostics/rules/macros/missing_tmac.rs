@@ -32,5 +32,6 @@ pub static MISSING_TMAC: Rule = Rule {
         "MODULE_MAIN_END\n",
     ),
     chapter: "22.3",
+    fix: true,
     ..Rule::BASE
 };

@@ -31,5 +31,6 @@ pub static PARAMETER_BYPASSED: Rule = Rule {
         "MODULE_MAIN_END\n",
     ),
     chapter: "22.3",
+    fix: true,
     ..Rule::BASE
 };

@@ -30,5 +30,6 @@ pub static UNKNOWN_PARAMETER: Rule = Rule {
         "MODULE_MAIN_END\n",
     ),
     chapter: "22.3",
+    fix: true,
     ..Rule::BASE
 };

@@ -11,8 +11,8 @@ pub static NO_ALTERNATIVE: Rule = Rule {
     explanation: "The place takes operands of several kinds and this one is none of them; the message lists what may \
         stand there.",
     why: "The instruction would work with something else than it expects.",
-    wrong: "MODULE_INIT\n        MAP_IN  GUARD,TABLE\nMODULE_INIT_END\n",
-    right: "MODULE_INIT\n        MAP_IN  GUARD,'Guard'\nMODULE_INIT_END\n",
+    wrong: "MODULE_INIT\n        SHARE_VAR MIDDLE,'Speed',TYPE_WORD,START\nMODULE_INIT_END\n",
+    right: "MODULE_INIT\n        SHARE_VAR MIDDLE,'Speed',TYPE_WORD,RATIO\nMODULE_INIT_END\n",
     chapter: "3.1",
     ..Rule::BASE
 };
