@@ -261,10 +261,7 @@ pub(super) fn of_kind(
             data::value(reader, entry, expr, &rules)
         }
         OperandKind::Time => data::time(reader, entry, expr),
-        OperandKind::Address(access) => match whole_area(entry, expr) {
-            Some(word) => Some(Operand::Keyword(word)),
-            None => data::area(reader, expr, access),
-        },
+        OperandKind::Address(access) => data::area(reader, expr, access),
         OperandKind::Text(access) => data::text(reader, expr, access),
         OperandKind::TextOrLiteral => match &expr.kind {
             ExprKind::Text(text) => Some(Operand::Text(Arc::from(text.as_str()))),
@@ -302,13 +299,6 @@ pub(super) fn of_kind(
         OperandKind::OneOf(kinds) => alternatives::one_of(reader, entry, kinds, expr),
         OperandKind::Any => Some(any(reader, expr)),
     }
-}
-
-/// `CLEAR GLOBAL,ALL` and `CLEAR INTERNAL,ALL`: the place decides which word it can be.
-fn whole_area(entry: &Entry, expr: &Expr) -> Option<&'static str> {
-    let ExprKind::Name(name) = &expr.kind else { return None };
-    let word = catalogue::entry(&name.text).filter(|word| word.kind == EntryKind::Keyword)?.name;
-    (entry.name == "CLEAR" && matches!(word, "GLOBAL" | "INTERNAL" | "ALL")).then_some(word)
 }
 
 fn label(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {

@@ -50,6 +50,9 @@ fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mu
     if kind == OperandKind::Label {
         labels(request, language, list);
     }
+    if kind == (OperandKind::Procedure { declares: true }) {
+        event_procedures(language, list);
+    }
     if request.section.kind(request.db) == SectionKind::Macro {
         let bare = catalogue::entry(&operand.operation.text).is_none_or(catalogue::Entry::is_assembler);
         parameters(request, language, list, if bare { "" } else { "TMAC." });
@@ -69,6 +72,15 @@ fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mu
             3,
             Candidate { label: word.clone(), insert: word, kind: CompletionKind::Prefix, detail, page },
         );
+    }
+}
+
+/// Names of procedures that the control calls.
+fn event_procedures(language: Language, list: &mut List) {
+    for entry in catalogue::entries().filter(|entry| entry.kind == EntryKind::EventProcedure) {
+        let (label, detail) = (entry.name.to_owned(), entry.summary.in_language(language).to_owned());
+        let (insert, kind) = (label.clone(), CompletionKind::Procedure);
+        list.add(0, Candidate { label, insert, kind, detail, page: Page::Entry(entry) });
     }
 }
 

@@ -112,7 +112,7 @@ impl Program {
         text.push('\n');
     }
 
-    fn add_section(&mut self, section: &str) {
+    pub(crate) fn add_section(&mut self, section: &str) {
         if !self.sections.iter().any(|(name, _)| name == section) {
             self.sections.push((section.to_string(), String::new()));
         }
@@ -233,7 +233,7 @@ impl Loose {
 }
 
 impl Program {
-    fn before(&mut self, line: &str) {
+    pub(crate) fn before(&mut self, line: &str) {
         self.before.push_str(line);
         self.before.push('\n');
     }
