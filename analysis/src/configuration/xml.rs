@@ -27,7 +27,8 @@ const MOST_NAMESPACES: usize = 64;
 pub fn parse(text: &str) -> Result<Document, Box<Problem>> {
     let lines = Lines::of(text);
     let too_large = |at: usize, message: String| {
-        Box::new(Problem::new(&rules::BROKEN_CONFIGURATION, lines.span(at..at + 1), message))
+        let first = text[at..].chars().next().map_or(0, char::len_utf8);
+        Box::new(Problem::new(&rules::BROKEN_CONFIGURATION, lines.span(at..at + first), message))
     };
     if text.len() > MOST_BYTES {
         return Err(too_large(0, format!("the file is longer than {} MB; it is not read", MOST_BYTES >> 20)));
