@@ -30,7 +30,7 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
     for expr in &line.operands {
         let Some(now) = spec else {
             let last = line.operands.last().map_or(expr.columns.end, |last| last.columns.end);
-            let columns = expr.columns.start..last.max(expr.columns.start + 1);
+            let columns = expr.columns.start..last;
             let message = match entry.operands.len() {
                 0 => format!("{} takes no operand", entry.name),
                 _ => format!("too many operands: {}", form(entry)),
@@ -201,7 +201,7 @@ fn one(
             if spec.skippable || spec.optional {
                 return Some(Operand::Skipped);
             }
-            let columns = expr.columns.start..expr.columns.end.max(expr.columns.start + 1);
+            let columns = expr.columns.clone();
             let message = format!("the operand {} is missing: {}", spec.name, form(entry));
             reader.report(&rules::OPERAND_COUNT, columns, message);
             return None;
