@@ -60,7 +60,8 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
 /// EQUI, DS, STR, DFM: names in constants are looked up, so that they are reported where they stand.
 pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) {
     if matches!(entry.name, "DB" | "DW" | "DD" | "DQ") {
-        return repetitions(reader, line);
+        repetitions(reader, line);
+        return initial_values(reader, line);
     }
     let value = match entry.name {
         "EQUI" => line.operands.get(1),
@@ -133,6 +134,22 @@ fn repetitions(reader: &mut CodeReader<'_>, line: &Line) {
         {
             let message = format!("the number of elements is not within 1 and {most}");
             reader.report(&declarations::BAD_LENGTH, times.columns.clone(), message);
+        }
+    }
+}
+
+/// Values of a member: constants, `?`, texts. What stands before and behind DUP is read by [`repetitions`].
+fn initial_values(reader: &mut CodeReader<'_>, line: &Line) {
+    let is =
+        |expr: Option<&Expr>, word: &str| expr.is_some_and(|expr| super::structures::is_word(expr, word));
+    for (at, operand) in line.operands.iter().enumerate() {
+        if is(Some(operand), "?") || is(Some(operand), "DUP") || is(line.operands.get(at + 1), "DUP") {
+            continue;
+        }
+        if let ExprKind::Name(name) = &operand.kind
+            && !constant_name(reader, name)
+        {
+            return;
         }
     }
 }

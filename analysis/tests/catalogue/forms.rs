@@ -27,6 +27,7 @@ const GENERIC: &[(&str, &str)] = &[
     ("parameter", "parameter"),
     ("prefix", "BYTE"),
     ("CX", "CX"),
+    ("DUP", "DUP"),
 ];
 
 /// A variant of a form: its text with groups and alternatives decided.

@@ -200,7 +200,7 @@ impl Loose {
                 self.block = Some("END_T_MACRO");
             }
             ("STOP", _) => {}
-            ("STR", _) | (_, Some(Place::Data)) => program.add("DATA", line),
+            ("STR", _) | (_, Some(Place::Data | Place::DataOrFileLevel)) => program.add("DATA", line),
             (_, Some(Place::Init | Place::InitOrProcedure)) => program.add("MODULE_INIT", line),
             ("CHECK", _) => self.code.push(line.to_string()),
             (_, Some(Place::Anywhere | Place::FileLevel)) => program.before(line),

@@ -65,7 +65,7 @@ pub(crate) fn setting(entry: &Entry, operands: &str, with_operand: bool, case: u
         return Setting { section: Section::Frame, before: String::new(), after: String::new() };
     }
     let section = match entry.place {
-        Place::Data | Place::AnyModule => Section::Of("DATA"),
+        Place::Data | Place::DataOrFileLevel | Place::AnyModule => Section::Of("DATA"),
         Place::Anywhere | Place::FileLevel => Section::Before,
         Place::FileLevelOrModule | Place::Code | Place::Main | Place::MechanismHost => {
             Section::Of("MODULE_MAIN")

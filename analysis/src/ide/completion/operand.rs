@@ -3,7 +3,7 @@
 use technol_image::op::Width;
 
 use super::request::{Operand, Part, Request};
-use super::{Candidate, CompletionKind, List, Page};
+use super::{Candidate, CompletionKind, List, Page, operation};
 use crate::catalogue::{self, EntryKind, Language, OperandKind, OperandSpec, Prefix, PrefixSet};
 use crate::database;
 use crate::ide::{cursor, describe};
@@ -43,6 +43,9 @@ pub(super) fn list(request: &Request<'_>, operand: &Operand, language: Language,
 
 fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mut List) {
     let Some(kind) = spec(operand) else { return };
+    if operand.index == 0 && catalogue::entry(&operand.operation.text).is_none() {
+        operation::list_behind_name(request, language, list);
+    }
     let (prefixes, keywords) = words(kind);
     for word in keywords {
         keyword(word, language, list);
