@@ -12,23 +12,23 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::diagnostics::allow::Allows;
+use crate::diagnostics::{Diagnostic, Finding};
 use crate::configuration::cross::{Configured, ProjectUses};
 use crate::configuration::uses::SectionUses;
 use crate::configuration::{ConfigKind, Configuration};
-use crate::diagnostics::allow::Allows;
-use crate::diagnostics::{Diagnostic, Finding};
 use crate::project::{IncludeTarget, Settings};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
-use crate::semantics::lints::project::{self as lints, NameUses};
-use crate::semantics::lints::uses::{self, Uses};
 use crate::semantics::macros::circles::{self, MacroCircle};
 use crate::semantics::macros::declare::{self, ExpansionDeclarations, ExpansionExports};
 use crate::semantics::macros::definition::{self, MacroDefinition};
 use crate::semantics::macros::expand::{self, Expansion};
 use crate::semantics::macros::table::{self, FileMacros, MacroMeaning, MacroTable};
+use crate::semantics::lints::project::{self as lints, NameUses};
+use crate::semantics::lints::uses::{self, Uses};
 use crate::semantics::program::Parts;
 use crate::semantics::recursion::RecursiveCall;
 use crate::semantics::scope::{Scope, Symbol};

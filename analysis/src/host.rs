@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use salsa::{Cancelled, Durability, Setter};
 
-use crate::database::{self, ConfigFile, Database, Project, SourceFile};
 use crate::diagnostics::{Diagnostic, Fix};
+use crate::database::{self, ConfigFile, Database, Project, SourceFile};
 use crate::project::{LoadedFile, LoadedProject, include_names};
 
 /// The answer of a snapshot, or that a change overtook it: ask the next snapshot.
