@@ -34,8 +34,10 @@ fn check(inputs: &[(String, Vec<u8>)]) {
 #[test]
 fn everything_the_fuzzer_found_holds() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
-    let mut paths: Vec<PathBuf> =
-        std::fs::read_dir(&folder).expect("the corpus").map(|entry| entry.expect("an entry").path()).collect();
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(&folder)
+        .expect("the corpus")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
     paths.sort();
     assert!(paths.len() >= 50, "only {} files in {}", paths.len(), folder.display());
     let inputs: Vec<_> = paths

@@ -20,9 +20,11 @@ pub(crate) fn fuzz(minutes: Option<&str>) -> Result<(), String> {
         },
     };
     if !available("cargo", &["fuzz", "--version"]) {
-        return Err("cargo-fuzz is missing: `cargo install cargo-fuzz`; it needs a C++ compiler too, and runs on \
+        return Err(
+            "cargo-fuzz is missing: `cargo install cargo-fuzz`; it needs a C++ compiler too, and runs on \
                     Linux and macOS"
-            .to_owned());
+                .to_owned(),
+        );
     }
     let mut command = Command::new("cargo");
     command
