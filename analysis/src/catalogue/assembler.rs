@@ -25,6 +25,21 @@ const KNOWN_ONLY: Bilingual = text(
      TECHNOL.",
 );
 
+const CHECKED: Bilingual = text(
+    "Its operands are checked: registers AL to DH, AX to DX, EAX to EDX and the index registers, cells and numbers, of \
+     one width and at most one of them a cell; a shift count is a number or CL, a jump leads to a label of the same \
+     section. `build` refuses it all the same (this implementation): write the same with instructions of TECHNOL. \
+     Between instructions of TECHNOL RLO is bit 40h of AH and DR is ECX.",
+    "Operandy se kontrolují: registry AL až DH, AX až DX, EAX až EDX a indexové, buňky a čísla, stejné šířky a \
+     nejvýše jeden z nich buňka; počet posunů je číslo nebo CL, skok vede na návěští téže sekce. Překlad ji přesto \
+     odmítne (tato implementace): zapište totéž instrukcemi jazyka TECHNOL. Mezi instrukcemi jazyka TECHNOL je RLO \
+     bit 40h registru AH a DR je ECX.",
+);
+
+const fn checked(name: &'static str, summary: Bilingual) -> Entry {
+    Entry { description: CHECKED, ..known(name, summary) }
+}
+
 const fn known(name: &'static str, summary: Bilingual) -> Entry {
     Entry {
         name,
@@ -55,6 +70,48 @@ const PORTS: Bilingual = text(
     "80386 instruction: reads or writes a processor port.",
     "Instrukce 80386: čtení nebo zápis portu procesoru.",
 );
+
+/// How the operands of an 80386 instruction are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AssemblerForm {
+    /// MOV: the first operand is only written.
+    Move,
+    /// Two operands of one width: ADD, SUB, AND, OR, XOR, CMP.
+    Two,
+    /// One operand: INC, DEC.
+    One,
+    /// A value, and how far it is shifted: a number or CL.
+    Shift,
+    /// A conditional jump to a label.
+    Jump,
+}
+
+/// Registers with their bytes.
+const REGISTERS: &[(&[&str], u32)] = &[
+    (&["AL", "AH", "BL", "BH", "CL", "CH", "DL", "DH"], 1),
+    (&["AX", "BX", "CX", "DX", "SI", "DI", "BP", "SP", "ES", "SS", "FS", "GS"], 2),
+    (&["EAX", "EBX", "ECX", "EDX", "ESI", "EDI", "EBP", "ESP"], 4),
+];
+
+/// The bytes of the register `name`, in any case; `None` when it is none. CS and DS have no place in a program.
+#[must_use]
+pub fn register(name: &str) -> Option<u32> {
+    let holds = |names: &[&str]| names.iter().any(|register| register.eq_ignore_ascii_case(name));
+    REGISTERS.iter().find(|(names, _)| holds(names)).map(|(_, bytes)| *bytes)
+}
+
+/// The form of an instruction with a defined meaning.
+pub(super) fn form_of(name: &str) -> Option<AssemblerForm> {
+    match name {
+        "MOV" => Some(AssemblerForm::Move),
+        "ADD" | "SUB" | "AND" | "OR" | "XOR" | "CMP" => Some(AssemblerForm::Two),
+        "INC" | "DEC" => Some(AssemblerForm::One),
+        "SHL" | "SHR" => Some(AssemblerForm::Shift),
+        "JCXZ" | "JECXZ" | "JMP" => None,
+        _ if name.starts_with('J') && name.len() <= 4 => Some(AssemblerForm::Jump),
+        _ => None,
+    }
+}
 
 /// The entries: first those with a meaning here, then the others by group.
 pub(super) static ENTRIES: &[Entry] = &[
@@ -152,14 +209,14 @@ pub(super) static ENTRIES: &[Entry] = &[
         related: &["BX", "LOD"],
         ..INSTRUCTION
     },
-    known("ADD", ARITHMETIC),
+    checked("ADD", ARITHMETIC),
     known("ADC", ARITHMETIC),
-    known("SUB", ARITHMETIC),
+    checked("SUB", ARITHMETIC),
     known("SBB", ARITHMETIC),
-    known("INC", ARITHMETIC),
-    known("DEC", ARITHMETIC),
+    checked("INC", ARITHMETIC),
+    checked("DEC", ARITHMETIC),
     known("NEG", ARITHMETIC),
-    known("CMP", ARITHMETIC),
+    checked("CMP", ARITHMETIC),
     known("MUL", ARITHMETIC),
     known("IMUL", ARITHMETIC),
     known("DIV", ARITHMETIC),
@@ -170,14 +227,14 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("AAS", ARITHMETIC),
     known("DAA", ARITHMETIC),
     known("DAS", ARITHMETIC),
-    known("AND", LOGIC),
-    known("OR", LOGIC),
-    known("XOR", LOGIC),
+    checked("AND", LOGIC),
+    checked("OR", LOGIC),
+    checked("XOR", LOGIC),
     known("NOT", LOGIC),
     known("TEST", LOGIC),
-    known("SHL", LOGIC),
+    checked("SHL", LOGIC),
     known("SAL", LOGIC),
-    known("SHR", LOGIC),
+    checked("SHR", LOGIC),
     known("SAR", LOGIC),
     known("ROL", LOGIC),
     known("ROR", LOGIC),
@@ -250,36 +307,36 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("LOOPNZ", JUMPS),
     known("JCXZ", JUMPS),
     known("JECXZ", JUMPS),
-    known("JA", JUMPS),
-    known("JAE", JUMPS),
-    known("JB", JUMPS),
-    known("JBE", JUMPS),
-    known("JC", JUMPS),
-    known("JE", JUMPS),
-    known("JG", JUMPS),
-    known("JGE", JUMPS),
-    known("JL", JUMPS),
-    known("JLE", JUMPS),
-    known("JNA", JUMPS),
-    known("JNAE", JUMPS),
-    known("JNB", JUMPS),
-    known("JNBE", JUMPS),
-    known("JNC", JUMPS),
-    known("JNE", JUMPS),
-    known("JNG", JUMPS),
-    known("JNGE", JUMPS),
-    known("JNL", JUMPS),
-    known("JNLE", JUMPS),
-    known("JNO", JUMPS),
-    known("JNP", JUMPS),
-    known("JNS", JUMPS),
-    known("JNZ", JUMPS),
-    known("JO", JUMPS),
-    known("JP", JUMPS),
-    known("JPE", JUMPS),
-    known("JPO", JUMPS),
-    known("JS", JUMPS),
-    known("JZ", JUMPS),
+    checked("JA", JUMPS),
+    checked("JAE", JUMPS),
+    checked("JB", JUMPS),
+    checked("JBE", JUMPS),
+    checked("JC", JUMPS),
+    checked("JE", JUMPS),
+    checked("JG", JUMPS),
+    checked("JGE", JUMPS),
+    checked("JL", JUMPS),
+    checked("JLE", JUMPS),
+    checked("JNA", JUMPS),
+    checked("JNAE", JUMPS),
+    checked("JNB", JUMPS),
+    checked("JNBE", JUMPS),
+    checked("JNC", JUMPS),
+    checked("JNE", JUMPS),
+    checked("JNG", JUMPS),
+    checked("JNGE", JUMPS),
+    checked("JNL", JUMPS),
+    checked("JNLE", JUMPS),
+    checked("JNO", JUMPS),
+    checked("JNP", JUMPS),
+    checked("JNS", JUMPS),
+    checked("JNZ", JUMPS),
+    checked("JO", JUMPS),
+    checked("JP", JUMPS),
+    checked("JPE", JUMPS),
+    checked("JPO", JUMPS),
+    checked("JS", JUMPS),
+    checked("JZ", JUMPS),
     known("ENTER", JUMPS),
     known("LEAVE", JUMPS),
     known("CLC", FLAGS),

@@ -51,6 +51,7 @@ mod pattern;
 mod tests;
 mod transfer;
 
+pub use assembler::{AssemblerForm, register};
 pub use cell_type::{CELL_TYPES, CellType, cell_type};
 pub use entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, EntryKind, Equation, Example, Form, NewCell,
@@ -89,6 +90,13 @@ impl Entry {
     #[must_use]
     pub fn is_assembler(&self) -> bool {
         self.chapter == assembler::CHAPTER
+    }
+
+    /// How the operands of an 80386 instruction with a defined meaning are written; `None` for those known by
+    /// name only.
+    #[must_use]
+    pub fn assembler_form(&self) -> Option<AssemblerForm> {
+        if self.is_assembler() { assembler::form_of(self.name) } else { None }
     }
 
     /// Whether it is an 80386 instruction known by name only, so that it is not reported as unknown. Such names

@@ -458,21 +458,27 @@ impl Length {
     }
 }
 
-/// `name`, `name+n`, `name-n`.
+/// `name`, `name+n`, `name-n`, `name.MEMBER`.
 fn overlay(expr: &Expr) -> Option<Overlay> {
     match &expr.kind {
         ExprKind::Name(name) => Some(Overlay { symbol: name.key(), offset: 0, later: Vec::new() }),
         ExprKind::Parens(inner) => overlay(inner),
+        ExprKind::Dot { left, right } => match &right.kind {
+            ExprKind::Name(member) => {
+                let mut base = overlay(left)?;
+                base.later.push(ConstExpr::Name(member.key()));
+                Some(base)
+            }
+            _ => None,
+        },
         ExprKind::Sum { minus, left, right } => {
             let mut base = overlay(left)?;
             let step = ConstExpr::read(right).ok()?;
-            let step = if *minus { ConstExpr::Negated(Box::new(step)) } else { step };
-            let mut names = Vec::new();
-            step.names(&mut names);
-            if names.is_empty() {
-                base.offset = base.offset.checked_add(step.literal()?)?;
-            } else {
-                base.later.push(step);
+            match step.literal() {
+                Some(step) if *minus => base.offset = base.offset.checked_sub(step)?,
+                Some(step) => base.offset = base.offset.checked_add(step)?,
+                None if *minus => base.later.push(ConstExpr::Negated(Box::new(step))),
+                None => base.later.push(step),
             }
             Some(base)
         }

@@ -90,9 +90,9 @@ impl MacroLine {
 pub struct Overlay {
     /// Key of the symbol.
     pub symbol: String,
-    /// Byte offset into it.
+    /// Byte offset into it, as far as the line alone gives it.
     pub offset: i64,
-    /// What is added to the offset and needs constants of other sections.
+    /// What is added to the offset and needs constants or members of structures of other sections.
     pub later: Vec<ConstExpr>,
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind};
-use crate::catalogue::{Effect, Equation};
+use crate::catalogue::{AssemblerForm, Effect, Equation};
 use crate::diagnostics::Finding;
 use crate::diagnostics::rules::sequences as rules;
 use crate::syntax::ast::{Columns, Line};
@@ -105,7 +105,9 @@ impl Graph {
             // Instructions of several cycles (PLCT_, ECAT_) leave the waiting to the EX0 behind them.
             graph.waits[index] =
                 code.entry.ex_type && code.entry.equation == Equation::Terminal && code.entry.name != "BEX";
-            let jumps = matches!(code.entry.name, "JUM" | "JL0" | "JL1") || is_raster(code);
+            let jumps = matches!(code.entry.name, "JUM" | "JL0" | "JL1")
+                || is_raster(code)
+                || code.entry.assembler_form() == Some(AssemblerForm::Jump);
             if jumps {
                 let target = *targets.get(label_of(code)?)?;
                 // A DFTM whose end stands before it is reported by itself.

@@ -24,6 +24,7 @@ pub(crate) mod suggest;
 
 mod address;
 mod alternatives;
+mod assembler;
 mod bits;
 mod block;
 mod calls;
@@ -39,3 +40,4 @@ mod operands;
 pub(crate) mod place;
 mod structures;
 mod sum;
+mod texts;

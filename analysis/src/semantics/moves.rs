@@ -23,6 +23,7 @@ pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, res
         "MV" => copied(reader, line, resolved),
         "RL" | "RR" => shift(reader, line, resolved),
         "BINSTR" | "BCDSTR" => number_text(reader, entry, line, resolved),
+        "STRCPY" | "STRADD" | "MEMCPY" | "MEMCMP" => super::texts::check(reader, entry, line, resolved),
         "CLEAR" => cleared(reader, line, resolved),
         _ => {}
     }

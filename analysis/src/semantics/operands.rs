@@ -11,7 +11,7 @@ use super::hir::{Address, Operand};
 use super::program::no_value;
 use super::reference::ReferenceAccess;
 use super::scope::SymbolKind;
-use super::{alternatives, bits, data, identifiers, moves};
+use super::{alternatives, assembler, bits, data, identifiers, moves};
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind, OperandSpec, PrefixSet};
 use crate::diagnostics::rules::{declarations, lints, names, operands as rules};
 use crate::syntax::ast::{Expr, ExprKind, Line, Name};
@@ -21,13 +21,16 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
     if entry.name == "T_INCLUDE" {
         return Vec::new();
     }
+    if let Some(form) = entry.assembler_form() {
+        return assembler::resolve(reader, entry, form, line);
+    }
     let mut resolved = Vec::with_capacity(line.operands.len());
     let mut specs = entry.operands.iter();
     let mut spec = specs.next();
     for expr in &line.operands {
         let Some(now) = spec else {
             let last = line.operands.last().map_or(expr.columns.end, |last| last.columns.end);
-            let columns = expr.columns.start..last.max(expr.columns.start + 1);
+            let columns = expr.columns.start..last;
             let message = match entry.operands.len() {
                 0 => format!("{} takes no operand", entry.name),
                 _ => format!("too many operands: {}", form(entry)),
@@ -215,7 +218,7 @@ fn one(
             if spec.skippable || spec.optional {
                 return Some(Operand::Skipped);
             }
-            let columns = expr.columns.start..expr.columns.end.max(expr.columns.start + 1);
+            let columns = expr.columns.clone();
             let message = format!("the operand {} is missing: {}", spec.name, form(entry));
             reader.report(&rules::OPERAND_COUNT, columns, message);
             return None;

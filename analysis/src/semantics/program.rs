@@ -378,8 +378,8 @@ pub(crate) fn resolved(
     for declared in &mut declarations.names {
         let What::Text { over: Some(over), .. } = &mut declared.what else { continue };
         for step in std::mem::take(&mut over.later) {
-            // A name that is no constant is reported where the operand is read.
-            let sum = step.value(&mut value).ok().and_then(|step| over.offset.checked_add(step));
+            // A name that is neither constant nor member is reported where the operand is read.
+            let sum = step.value(&mut |name| distance(db, project, section, name)).ok().and_then(|step| over.offset.checked_add(step));
             over.offset = sum.unwrap_or(over.offset);
         }
     }
@@ -391,6 +391,16 @@ pub(crate) fn constant(db: &dyn Db, project: Project, section: Section<'_>, name
     let name = database::NameRef::new(db, Arc::from(name), section.file(db).order(db));
     match database::lookup(db, project, name) {
         Some(Symbol { kind: SymbolKind::Constant(value), .. }) => Some(*value),
+        _ => None,
+    }
+}
+
+/// What a name adds to an address: a constant, or a member of a structure.
+fn distance(db: &dyn Db, project: Project, section: Section<'_>, name: &str) -> Option<i64> {
+    let key = database::NameRef::new(db, Arc::from(name), section.file(db).order(db));
+    match database::lookup(db, project, key) {
+        Some(Symbol { kind: SymbolKind::Constant(value), .. }) => Some(*value),
+        Some(Symbol { kind: SymbolKind::Member { offset, .. }, .. }) => Some(i64::from(*offset)),
         _ => None,
     }
 }

@@ -27,6 +27,8 @@ const BESIDE_OTHERS: &[(&str, &str, &str, &str)] = &[
     ("MV", "src", "W_WORD", "shorter than the count"),
     ("MV", "dest", "W_WORD", "shorter than the count"),
     ("MV", "num", "16777215", "longer than the memory"),
+    ("MEMCPY", "num", "16777215", "longer than the buffers"),
+    ("MEMCMP", "num", "16777215", "longer than the buffers"),
     ("CLEAR", "begin", "W_AREA[BX]", "the range is known when it is built"),
     ("CLEAR", "end", "W_AREA[BX]", "the range is known when it is built"),
     ("CLEAR", "begin", "GLOBAL", "only with ALL, as a form has it"),
