@@ -2,6 +2,7 @@
 //! plant of the help for the names it does not declare.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 use technol_analysis::catalogue::{self, Entry, OperandKind, Place};
 use technol_analysis::project::{FileReader, load};
@@ -141,7 +142,9 @@ impl Program {
                         continue;
                     }
                     if !taken(&block) {
-                        block.iter().for_each(|line| self.add(section, line));
+                        for line in &block {
+                            self.add(section, line);
+                        }
                     }
                     block.clear();
                 }
@@ -155,10 +158,9 @@ impl Program {
         let mut text = self.before.clone();
         let body =
             |name: &str| self.sections.iter().find(|(own, _)| own == name).map_or("", |(_, text)| text);
-        let mut put = |name: &str| text.push_str(&format!("{name}\n{}{name}_END\n", body(name)));
-        SECTIONS.iter().for_each(|name| put(name));
-        for (name, _) in self.sections.iter().filter(|(name, _)| !SECTIONS.contains(&name.as_str())) {
-            put(name);
+        let further = self.sections.iter().map(|(name, _)| name.as_str());
+        for name in SECTIONS.iter().copied().chain(further.filter(|name| !SECTIONS.contains(name))) {
+            writeln!(text, "{name}\n{}{name}_END", body(name)).expect("a String");
         }
         text.push_str("STOP\n");
         text

@@ -53,9 +53,9 @@ pub(crate) fn is_within(entry: &Entry) -> bool {
 
 /// The setting of an instruction; `with_operand` tells LA and LO which end of a bracket they are.
 pub(crate) fn setting(entry: &Entry, operands: &str, with_operand: bool, case: usize) -> Setting {
-    let labels: String = operands.split(',').map(|name| format!("{}:\n", name.trim())).collect();
+    let labels: Vec<String> = operands.split(',').map(|name| format!("{}:", name.trim())).collect();
     let fill = |text: &str| {
-        let text = text.replace("{operands}", operands).replace("{labels}", &labels);
+        let text = text.replace("{operands}", operands).replace("{labels}", &labels.join("\n"));
         text.replace("{case}", &case.to_string())
     };
     if let Some((_, section, before, after)) = WITHIN.iter().find(|(name, ..)| *name == entry.name) {

@@ -103,7 +103,9 @@ fn program(cases: &[Case]) -> String {
     }
     if !sequence.is_empty() {
         frame.add("MODULE_MAIN", "MECH_BEGIN W_WALK");
-        sequence.iter().for_each(|line| frame.add("MODULE_MAIN", line));
+        for line in &sequence {
+            frame.add("MODULE_MAIN", line);
+        }
         frame.add("MODULE_MAIN", "MECH_END W_WALK");
     }
     samples::MAIN.lines().for_each(|line| frame.add("MODULE_MAIN", line));
@@ -150,10 +152,9 @@ fn lines_of_forms(entry: &'static Entry) -> Result<Vec<String>, String> {
     let mut lines = Vec::new();
     for form in entry.forms {
         for variant in forms::variants(form.syntax) {
-            let prefixes: Vec<_> = match variant.contains("TYPE.") {
-                true => forms::prefixes(entry).into_iter().map(Some).collect(),
-                false => vec![None],
-            };
+            let typed = variant.contains("TYPE.");
+            let prefixes: Vec<_> =
+                if typed { forms::prefixes(entry).into_iter().map(Some).collect() } else { vec![None] };
             if prefixes.is_empty() {
                 return Err(format!("{}: no prefix fits {variant}", entry.name));
             }
