@@ -2,7 +2,7 @@
 
 use super::cell_type::CELL_TYPES;
 use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
-use super::pattern::{UNMODELLED, STRUCTURE, example, form, operand, text};
+use super::pattern::{STRUCTURE, UNMODELLED, example, form, operand, text};
 
 const fn identifier(element: ConfigElement) -> OperandSpec {
     operand(

@@ -115,7 +115,8 @@ impl Plant {
         if FASTEST_PERIODS.contains(&fastest) {
             plant.fastest_period = fastest;
         } else {
-            let message = format!("{fastest} µs is no period of MODULE_FASTEST; use 100, 200, 250, 500 or 1000");
+            let message =
+                format!("{fastest} µs is no period of MODULE_FASTEST; use 100, 200, 250, 500 or 1000");
             compiler.error("fastest-period-us", message);
         }
         if compiler.errors.is_empty() { Ok(plant) } else { Err(compiler.errors) }
