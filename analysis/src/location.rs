@@ -1,5 +1,7 @@
 //! Places in source text, as every answer of this crate gives them.
 
+use crate::syntax::lines;
+
 /// A position: 0-based line, and column in bytes of the line (UTF-8).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Position {
@@ -51,10 +53,16 @@ impl Position {
     /// The position of a byte offset of `text`; an offset past the end means the end.
     #[must_use]
     pub fn of_byte(text: &str, offset: usize) -> Position {
-        let before = &text.as_bytes()[..offset.min(text.len())];
-        let line = before.split(|b| *b == b'\n').count() - 1;
-        let column = before.iter().rev().take_while(|b| **b != b'\n').count();
-        Position { line: line as u32, column: column as u32 }
+        let offset = offset.min(text.len());
+        let (mut line, mut start) = (0, 0);
+        for own in lines(text) {
+            let next = start + own.text.len() + own.end.len();
+            if offset < next || own.end.is_empty() {
+                break;
+            }
+            (line, start) = (line + 1, next);
+        }
+        Position { line, column: (offset - start) as u32 }
     }
 }
 
@@ -69,5 +77,14 @@ mod tests {
         assert_eq!(Position::of_byte(text, 4), Position { line: 1, column: 1 });
         assert_eq!(Position::of_byte(text, 7), Position { line: 2, column: 0 });
         assert_eq!(Position::of_byte(text, 99), Position { line: 2, column: 0 });
+    }
+
+    #[test]
+    fn lines_are_those_of_the_editors() {
+        let text = "a\rbc\r\nd";
+        assert_eq!(Position::of_byte(text, 1), Position { line: 0, column: 1 });
+        assert_eq!(Position::of_byte(text, 3), Position { line: 1, column: 1 });
+        assert_eq!(Position::of_byte(text, 6), Position { line: 2, column: 0 });
+        assert_eq!(Position::of_byte(text, 7), Position { line: 2, column: 1 });
     }
 }

@@ -1,5 +1,6 @@
-//! Tasks of the project: `cargo xtask generate | test | bench | package`.
+//! Tasks of the project: `cargo xtask generate | test | bench | fuzz | package`.
 
+mod fuzz;
 mod generate;
 mod run;
 mod test;
@@ -12,6 +13,7 @@ cargo xtask TASK
   generate [--check]  write the files derived from the catalogue (with --check: fail when one is stale)
   test                formatting, lints, all tests, stale generated files, the editors' tests
   bench               all benchmarks; docs/design/performance.md says how to read them
+  fuzz [MINUTES]      looks for texts that break the front end (30 minutes); needs cargo-fuzz
   package             the VS Code extension as a .vsix
 ";
 
@@ -34,6 +36,8 @@ fn main() -> ExitCode {
         ["generate", "--check"] => generate::generate(true),
         ["test"] => test::test(),
         ["bench"] => run::cargo("benchmarks", BENCHMARKS),
+        ["fuzz"] => fuzz::fuzz(None),
+        ["fuzz", minutes] => fuzz::fuzz(Some(minutes)),
         ["package"] => test::package(),
         _ => {
             eprint!("{USAGE}");

@@ -31,7 +31,8 @@ pub(crate) fn available(program: &str, arguments: &[&str]) -> bool {
         .is_ok_and(|status| status.success())
 }
 
-fn step(what: &str, command: &mut Command) -> Result<(), String> {
+/// Runs a command, with a heading and the time it took.
+pub(crate) fn step(what: &str, command: &mut Command) -> Result<(), String> {
     println!("\n=== {what}");
     let start = Instant::now();
     let status = command.status().map_err(|e| format!("{what}: cannot start {command:?}: {e}"))?;

@@ -57,13 +57,15 @@ pub(super) static ENTRIES: &[Entry] = &[
             "The name stands before it, without a colon. Between STRUC and ENDS each line names a member with DB, \
              DW, DD or DQ; a member is the offset of its first byte and has the width of its instruction. A \
              structure reserves no memory, it describes any: `base.MEMBER` is the cell at that offset behind `base`, \
-             `(base+MEMBER+n)` counts further.\n\n\
+             `(base+MEMBER+n)` counts further. `n DUP (?)` describes n elements; a value in place of `?` has no \
+             effect (this implementation).\n\n\
              A type prefix before the access wins over the width of the member (this implementation). Structures \
              are known in all files (this implementation).",
             "Jméno stojí před ní, bez dvojtečky. Mezi STRUC a ENDS pojmenuje každý řádek jednu položku pomocí DB, \
              DW, DD nebo DQ; položka je posunem svého prvního bajtu a má šířku své instrukce. Struktura nevyhrazuje \
              paměť, jen popisuje kteroukoli: `základ.POLOŽKA` je buňka na tomto posunu za `základ`, \
-             `(základ+POLOŽKA+n)` počítá dál.\n\n\
+             `(základ+POLOŽKA+n)` počítá dál. `n DUP (?)` popisuje n prvků; hodnota místo `?` nemá vliv (tato \
+             implementace).\n\n\
              Prefix typu před přístupem má přednost před šířkou položky (tato implementace). Struktury platí ve \
              všech souborech (tato implementace).",
         ),

@@ -174,7 +174,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         &["UPDATE_IN", "DEF_IN", "SLOW"],
     ),
     Entry {
-        forms: &[form("DEF_IN bit, 'ID', TYPE_BIT")],
+        forms: &[form("DEF_IN cell, 'ID', TYPE_BIT")],
         ..cell_type!(
             "TYPE_BIT",
             "one bit",

@@ -1,7 +1,7 @@
 //! Chapter 3.4: declarations.
 
 use super::entry::{Entry, OperandKind, Place};
-use super::pattern::{DECLARATION, example, form, operand, text};
+use super::pattern::{DECLARATION, MAX_LENGTH, example, form, operand, text};
 
 /// The entries, in manual order.
 pub(super) static ENTRIES: &[Entry] = &[
@@ -55,7 +55,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         forms: &[form("name: DS 1"), form("name: DS 2"), form("name: DS 4"), form("name: DS n")],
         operands: &[operand(
             "length",
-            OperandKind::Number { min: 1, max: 0xFF_FFFF },
+            OperandKind::Number { min: 1, max: MAX_LENGTH },
             "Length in bytes: 1 makes a BYTE, 2 a WORD, 4 a DWORD, anything else an untyped area",
             "Délka v bajtech: 1 je BYTE, 2 WORD, 4 DWORD, cokoli jiného je oblast bez typu",
         )],

@@ -121,13 +121,16 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[
             operand(
                 "begin",
-                OperandKind::Address(Access::Write),
+                OperandKind::OneOf(&[
+                    OperandKind::Address(Access::Write),
+                    OperandKind::Keyword(&["GLOBAL", "INTERNAL"]),
+                ]),
                 "First cell, or GLOBAL or INTERNAL",
                 "První buňka, nebo GLOBAL či INTERNAL",
             ),
             operand(
                 "end",
-                OperandKind::Address(Access::Write),
+                OperandKind::OneOf(&[OperandKind::Address(Access::Write), OperandKind::Keyword(&["ALL"])]),
                 "Last cell, itself included, or ALL",
                 "Poslední buňka (včetně ní), nebo ALL",
             ),

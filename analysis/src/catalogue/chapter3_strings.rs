@@ -1,7 +1,7 @@
 //! Chapter 3.18: text and binary strings.
 
 use super::entry::{Access, Effect, Entry, Equation, OperandKind, OperandSpec, Place};
-use super::pattern::{DECLARATION, INSTRUCTION, example, form, operand, text};
+use super::pattern::{DECLARATION, INSTRUCTION, MAX_LENGTH, example, form, operand, text};
 
 const TARGET: OperandSpec = operand(
     "text1",
@@ -52,7 +52,7 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[
             operand(
                 "n",
-                OperandKind::Number { min: 1, max: 0xFF_FFFF },
+                OperandKind::Number { min: 1, max: MAX_LENGTH },
                 "Most characters it may hold; one more byte is reserved for the terminating zero",
                 "Největší počet znaků; na koncovou nulu se vyhradí bajt navíc",
             ),

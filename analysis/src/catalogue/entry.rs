@@ -325,7 +325,7 @@ pub enum EntryKind {
 /// outside of them declarations go into DATA, MECH_BEGIN … MECH_END and PROC_BEGIN … PROC_END into MODULE_MAIN;
 /// the rest is code of a mechanism when an instruction in it needs one, else of MODULE_MAIN. Names that an example
 /// does not declare are those of the plant of the help, `tests/fixtures/catalogue/plant.plc`, so that a name means
-/// the same thing on every page; labels that are not there follow the fragment. `tests/catalogue_examples.rs` checks
+/// the same thing on every page; labels that are not there follow the fragment. `tests/catalogue/examples.rs` checks
 /// each one in such a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Example {

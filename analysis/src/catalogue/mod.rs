@@ -62,6 +62,8 @@ pub use symbol::{
     symbols, unit_member, unit_members,
 };
 
+pub(crate) use pattern::MAX_LENGTH;
+
 /// A language of the help.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Language {

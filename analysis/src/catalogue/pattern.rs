@@ -27,6 +27,9 @@ pub(super) const MESSAGE: PrefixSet = PrefixSet::of(&[Prefix::Word, Prefix::Cnst
 /// A value handed to a message: a DWORD cell or a constant.
 pub(super) const MESSAGE_VALUE: PrefixSet = PrefixSet::of(&[Prefix::Dwrd, Prefix::Cnst]);
 
+/// Most bytes that DS or STR reserves, more than any data area holds.
+pub(crate) const MAX_LENGTH: i64 = 0xF_FFFF;
+
 const NO_TEXT: Bilingual = text("", "");
 
 /// An instruction without operands and effects that `build` can lower.

@@ -1,6 +1,7 @@
 //! An XML text as plain data with places, and nothing of what the parser offers beyond that.
 
 use crate::location::{Position, Span};
+use crate::syntax::lines;
 
 /// A well-formed text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -97,8 +98,15 @@ pub(super) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub(super) fn of(text: &'a str) -> Lines<'a> {
-        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at + 1);
-        Lines { text, starts: std::iter::once(0).chain(ends).collect() }
+        let mut starts = vec![0];
+        let mut at = 0;
+        for line in lines(text) {
+            at += line.text.len() + line.end.len();
+            if !line.end.is_empty() {
+                starts.push(at);
+            }
+        }
+        Lines { text, starts }
     }
 
     pub(super) fn position(&self, offset: usize) -> Position {
@@ -125,9 +133,10 @@ impl<'a> Lines<'a> {
         self.span(start..start + len)
     }
 
-    /// The byte offset of a line and a character in it, both counted from 1.
+    /// The byte offset of a line and a character in it, both counted from 1 as XML does: only a line feed ends a line.
     pub(super) fn offset(&self, row: u32, column: u32) -> usize {
-        let start = self.starts.get(row.saturating_sub(1) as usize).copied().unwrap_or(self.text.len());
+        let above = self.text.split_inclusive('\n').take(row.saturating_sub(1) as usize);
+        let start: usize = above.map(str::len).sum();
         let rest = self.text.get(start..).unwrap_or_default();
         let line = rest.split('\n').next().unwrap_or_default();
         let skipped = line.char_indices().nth(column.saturating_sub(1) as usize);

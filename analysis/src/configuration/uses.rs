@@ -64,6 +64,8 @@ pub struct IdentifierUse {
     pub table: Option<i64>,
     /// The third operand, upper case: type of a logical element.
     pub kind: Option<String>,
+    /// The first operand of DEF_IN and DEF_OUT: key of the cell they declare.
+    pub cell: Option<String>,
 }
 
 /// A message.
@@ -275,6 +277,14 @@ impl Reader<'_> {
         {
             self.named = Some((table, text.to_string(), cell.key()));
         }
+        let cell = match step.source.first().map(|expr| &expr.kind).filter(|_| name.starts_with("DEF_")) {
+            Some(ExprKind::Name(cell)) => Some(cell.key()),
+            Some(ExprKind::Index { base, .. }) => match &base.kind {
+                ExprKind::Name(cell) => Some(cell.key()),
+                _ => None,
+            },
+            _ => None,
+        };
         self.out.identifiers.push(IdentifierUse {
             element,
             entry: name,
@@ -284,6 +294,7 @@ impl Reader<'_> {
             width,
             table,
             kind: third,
+            cell,
         });
     }
 

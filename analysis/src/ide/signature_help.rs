@@ -4,7 +4,7 @@ use super::cursor::macro_parameters;
 use crate::catalogue::{self, Entry, EntryKind, Language, OperandSpec, page};
 use crate::database::{Db, Project, SourceFile};
 use crate::location::Position;
-use crate::syntax::ast::SyntaxErrorKind;
+use crate::syntax::ast::{Expr, ExprKind, SyntaxErrorKind};
 use crate::syntax::{self, parse_lines};
 
 /// How an instruction is written.
@@ -56,12 +56,23 @@ pub fn signature_help(
     if let Some(entry) = catalogue::entry(&operation.text).filter(|entry| is_written_first(entry)) {
         return of_entry(entry, index, language);
     }
+    if let [Expr { kind: ExprKind::Name(word), columns }] = line.operands.as_slice()
+        && head.len() > columns.end as usize
+        && let Some(entry) = catalogue::entry(&word.text).filter(|entry| is_written_second(entry))
+    {
+        return of_entry(entry, 0, language);
+    }
     let parameters = macro_parameters(db, project, file, &operation.text)?;
     of_macro(&operation.text, &parameters, index)
 }
 
 fn is_written_first(entry: &Entry) -> bool {
     !matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure)
+}
+
+/// `MEMBER DB ?`: without its value the line does not read as one of a structure yet.
+fn is_written_second(entry: &Entry) -> bool {
+    matches!(entry.name, "DB" | "DW" | "DD" | "DQ")
 }
 
 fn of_entry(entry: &'static Entry, index: usize, language: Language) -> Option<SignatureHelp> {

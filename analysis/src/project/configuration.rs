@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::load::{Loader, problem};
+use super::load::{Loader, problem, undecodable};
 use super::manifest::Spanned;
 use super::path::{folder, is_absolute, project_path, readable, slashes};
 use super::{Encoding, LoadedFile};
@@ -86,9 +86,7 @@ fn read(loader: &mut Loader<'_>, path: &str) -> Result<(), String> {
     let bytes = loader.reader.read(&readable(&loader.project.root, path))?;
     let decoded = decode(&bytes, loader.encoding());
     if let Some((at, why)) = decoded.problem {
-        // Replacement characters are longer than what they stand for: the place is the first of them.
-        let at = decoded.text.find('\u{FFFD}').unwrap_or(at.min(decoded.text.len()));
-        let span = Span::of_bytes(&decoded.text, at..at + 1);
+        let span = undecodable(&decoded.text, at);
         let message = format!("{why}; state the file's encoding in its first line");
         loader.project.problems.push((path.to_string(), problem(&rules::UNDECODABLE, span, message)));
     }

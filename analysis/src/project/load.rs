@@ -75,7 +75,7 @@ fn read_manifest(project: &mut LoadedProject, name: &str, reader: &dyn FileReade
             let decoded = decode(&bytes, Some(Encoding::Utf8));
             let (manifest, errors) = parse_manifest(&decoded.text);
             if let Some((at, why)) = decoded.problem {
-                let span = Span::of_bytes(&decoded.text, at..at + 1);
+                let span = undecodable(&decoded.text, at);
                 let message = format!("{why}; a manifest is always UTF-8");
                 project.problems.push((name.to_string(), problem(&rules::UNDECODABLE, span, message)));
             }
@@ -104,6 +104,15 @@ fn read_manifest(project: &mut LoadedProject, name: &str, reader: &dyn FileReade
 
 pub(super) fn problem(rule: &'static Rule, span: Span, message: String) -> Diagnostic {
     Diagnostic { code: rule.code, severity: rule.severity, message, span, related: Vec::new(), fix: None }
+}
+
+/// The place in a decoded text of the first byte that has no character. Replacement characters are longer than what
+/// they stand for and a byte order mark is not in the text: the place is that of the first of them.
+pub(super) fn undecodable(text: &str, byte: usize) -> Span {
+    match text.find('\u{FFFD}') {
+        Some(at) => Span::of_bytes(text, at..at + '\u{FFFD}'.len_utf8()),
+        None => Span::of_bytes(text, byte..byte),
+    }
 }
 
 pub(super) struct Loader<'a> {
@@ -182,9 +191,7 @@ impl Loader<'_> {
         let bytes = self.reader.read(&readable(&self.project.root, path))?;
         let decoded = decode(&bytes, self.encoding());
         if let Some((at, why)) = decoded.problem {
-            // Replacement characters are longer than what they stand for: the place is the first of them.
-            let at = decoded.text.find('\u{FFFD}').unwrap_or(at.min(decoded.text.len()));
-            let span = Span::of_bytes(&decoded.text, at..at + 1);
+            let span = undecodable(&decoded.text, at);
             let message = format!("{why}; set `encoding` in technol.toml, or save the file again");
             self.project.problems.push((path.to_string(), problem(&rules::UNDECODABLE, span, message)));
         }

@@ -114,9 +114,15 @@ impl<'db> CodeReader<'db> {
             _ => None,
         };
         let (Some(word), Some(target)) = (name_of(0), name_of(1)) else {
-            let columns = line.operation.as_ref().map_or(0..0, |operation| operation.columns.clone());
             let message = "two names are needed: APPEND_T_MACRO word, macro [, flags]";
-            self.report(&operands::OPERAND_COUNT, columns, message);
+            let mut given = line.operands.iter().take(2);
+            let wrong = given.find(|operand| !matches!(operand.kind, ExprKind::Name(_)));
+            if let Some(operand) = wrong {
+                self.report(&operands::OPERAND_KIND, operand.columns.clone(), message);
+            } else {
+                let columns = line.operation.as_ref().map_or(0..0, |operation| operation.columns.clone());
+                self.report(&operands::OPERAND_COUNT, columns, message);
+            }
             return;
         };
         let key = NameRef::new(self.db, Arc::from(target.key()), None);

@@ -15,7 +15,7 @@ use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name, SIGNIFICANT};
 use crate::syntax::section::SectionKind;
 
 /// Largest length DS and STR take, in bytes.
-pub(crate) const MAX_LENGTH: i64 = 0x000F_FFFF;
+pub(crate) const MAX_LENGTH: i64 = catalogue::MAX_LENGTH;
 
 /// Declarations in the own lines of a section. `outer` are the sections around it.
 pub(crate) fn collect(parsed: &ParsedLines, text: &str, kind: SectionKind) -> Declarations {
@@ -374,10 +374,11 @@ impl Reader {
             }
             _ => {
                 if !self.broken(number) {
+                    let columns = line.operands.first().map_or(operation, |first| first.columns.clone());
                     self.report(
                         &rules::BAD_DECLARATION,
                         number,
-                        operation,
+                        columns,
                         "write EQUI name, value".to_string(),
                     );
                 }

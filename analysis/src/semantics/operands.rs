@@ -30,7 +30,7 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
     for expr in &line.operands {
         let Some(now) = spec else {
             let last = line.operands.last().map_or(expr.columns.end, |last| last.columns.end);
-            let columns = expr.columns.start..last.max(expr.columns.start + 1);
+            let columns = expr.columns.start..last;
             let message = match entry.operands.len() {
                 0 => format!("{} takes no operand", entry.name),
                 _ => format!("too many operands: {}", form(entry)),
@@ -60,7 +60,8 @@ pub(super) fn resolve(reader: &mut CodeReader<'_>, entry: &'static Entry, line: 
 /// EQUI, DS, STR, DFM: names in constants are looked up, so that they are reported where they stand.
 pub(super) fn declaration(reader: &mut CodeReader<'_>, entry: &'static Entry, line: &Line) {
     if matches!(entry.name, "DB" | "DW" | "DD" | "DQ") {
-        return repetitions(reader, line);
+        repetitions(reader, line);
+        return initial_values(reader, line);
     }
     let value = match entry.name {
         "EQUI" => line.operands.get(1),
@@ -137,6 +138,22 @@ fn repetitions(reader: &mut CodeReader<'_>, line: &Line) {
     }
 }
 
+/// Values of a member: constants, `?`, texts. What stands before and behind DUP is read by [`repetitions`].
+fn initial_values(reader: &mut CodeReader<'_>, line: &Line) {
+    let is =
+        |expr: Option<&Expr>, word: &str| expr.is_some_and(|expr| super::structures::is_word(expr, word));
+    for (at, operand) in line.operands.iter().enumerate() {
+        if is(Some(operand), "?") || is(Some(operand), "DUP") || is(line.operands.get(at + 1), "DUP") {
+            continue;
+        }
+        if let ExprKind::Name(name) = &operand.kind
+            && !constant_name(reader, name)
+        {
+            return;
+        }
+    }
+}
+
 /// What a STR lies over.
 fn overlay(reader: &mut CodeReader<'_>, line: &Line) {
     let Some(expr) = line.operands.get(1) else { return };
@@ -201,7 +218,7 @@ fn one(
             if spec.skippable || spec.optional {
                 return Some(Operand::Skipped);
             }
-            let columns = expr.columns.start..expr.columns.end.max(expr.columns.start + 1);
+            let columns = expr.columns.clone();
             let message = format!("the operand {} is missing: {}", spec.name, form(entry));
             reader.report(&rules::OPERAND_COUNT, columns, message);
             return None;
@@ -261,10 +278,7 @@ pub(super) fn of_kind(
             data::value(reader, entry, expr, &rules)
         }
         OperandKind::Time => data::time(reader, entry, expr),
-        OperandKind::Address(access) => match whole_area(entry, expr) {
-            Some(word) => Some(Operand::Keyword(word)),
-            None => data::area(reader, expr, access),
-        },
+        OperandKind::Address(access) => data::area(reader, expr, access),
         OperandKind::Text(access) => data::text(reader, expr, access),
         OperandKind::TextOrLiteral => match &expr.kind {
             ExprKind::Text(text) => Some(Operand::Text(Arc::from(text.as_str()))),
@@ -302,13 +316,6 @@ pub(super) fn of_kind(
         OperandKind::OneOf(kinds) => alternatives::one_of(reader, entry, kinds, expr),
         OperandKind::Any => Some(any(reader, expr)),
     }
-}
-
-/// `CLEAR GLOBAL,ALL` and `CLEAR INTERNAL,ALL`: the place decides which word it can be.
-fn whole_area(entry: &Entry, expr: &Expr) -> Option<&'static str> {
-    let ExprKind::Name(name) = &expr.kind else { return None };
-    let word = catalogue::entry(&name.text).filter(|word| word.kind == EntryKind::Keyword)?.name;
-    (entry.name == "CLEAR" && matches!(word, "GLOBAL" | "INTERNAL" | "ALL")).then_some(word)
 }
 
 fn label(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {

@@ -24,7 +24,7 @@ impl FileReader for Memory {
 }
 
 /// Every diagnostic of the project that `root` names.
-pub fn check(files: &[(&str, &str)], root: &str) -> Vec<(String, Vec<Diagnostic>)> {
+pub(crate) fn check(files: &[(&str, &str)], root: &str) -> Vec<(String, Vec<Diagnostic>)> {
     let memory = Memory(files.iter().map(|(p, t)| ((*p).to_string(), t.as_bytes().to_vec())).collect());
     let mut host = AnalysisHost::new();
     host.apply(Change { project: Some(load(root, &memory)), texts: Vec::new() });
@@ -32,7 +32,7 @@ pub fn check(files: &[(&str, &str)], root: &str) -> Vec<(String, Vec<Diagnostic>
 }
 
 /// The text of a file that must be there.
-pub fn read(path: &Path) -> String {
+pub(crate) fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
@@ -63,7 +63,7 @@ fn quiet(d: &Diagnostic) -> bool {
 }
 
 /// What differs between markers and diagnostics; empty when nothing does.
-pub fn difference(text: &str, found: &[Diagnostic]) -> String {
+pub(crate) fn difference(text: &str, found: &[Diagnostic]) -> String {
     let mut expected = markers(text);
     let mut report = String::new();
     for d in found {

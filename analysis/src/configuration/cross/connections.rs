@@ -67,7 +67,11 @@ fn one(text: &Text, wanted: Direction, uses: &ProjectUses, report: &mut Report<'
 
 /// A logical element of the program: its type, where that is written.
 fn declared<'a>(element: ConfigElement, name: &str, uses: &'a ProjectUses) -> Option<&'a Option<String>> {
-    logical::candidates(name).into_iter().find_map(|name| uses.logical.get(&(element, name)))
+    let find = |name| {
+        let key = (element, name);
+        uses.logical.get(&key).or_else(|| uses.cells.get(&key))
+    };
+    logical::candidates(name).into_iter().find_map(find)
 }
 
 /// `Invert` on numbers, `Scale` and `Offset` on bits.

@@ -18,6 +18,8 @@ pub struct ProjectUses {
     pub dynamic: BTreeSet<ConfigElement>,
     /// Logical elements by their normal identifier, with their type where it is written.
     pub logical: BTreeMap<(ConfigElement, String), Option<String>>,
+    /// Their cells by the normal key: a connection may name the cell instead of the identifier.
+    pub cells: BTreeMap<(ConfigElement, String), Option<String>>,
     /// Spellings of the logical elements.
     pub spelled: BTreeMap<ConfigElement, BTreeSet<String>>,
     /// Messages that are, or may be, reported.
@@ -77,6 +79,9 @@ impl ProjectUses {
         let normal = logical::normal(name);
         let base = logical::without_index(&normal).map_or(normal.clone(), str::to_string);
         self.logical.insert((it.element, base), it.kind.clone());
+        if let Some(cell) = &it.cell {
+            self.cells.insert((it.element, logical::normal(cell)), it.kind.clone());
+        }
         self.spelled.entry(it.element).or_default().insert(name.to_string());
     }
 

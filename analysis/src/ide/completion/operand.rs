@@ -3,7 +3,7 @@
 use technol_image::op::Width;
 
 use super::request::{Operand, Part, Request};
-use super::{Candidate, CompletionKind, List, Page};
+use super::{Candidate, CompletionKind, List, Page, operation};
 use crate::catalogue::{self, EntryKind, Language, OperandKind, OperandSpec, Prefix, PrefixSet};
 use crate::database;
 use crate::ide::{cursor, describe};
@@ -43,12 +43,18 @@ pub(super) fn list(request: &Request<'_>, operand: &Operand, language: Language,
 
 fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mut List) {
     let Some(kind) = spec(operand) else { return };
+    if operand.index == 0 && catalogue::entry(&operand.operation.text).is_none() {
+        operation::list_behind_name(request, language, list);
+    }
     let (prefixes, keywords) = words(kind);
     for word in keywords {
         keyword(word, language, list);
     }
     if kind == OperandKind::Label {
         labels(request, language, list);
+    }
+    if kind == (OperandKind::Procedure { declares: true }) {
+        event_procedures(language, list);
     }
     if request.section.kind(request.db) == SectionKind::Macro {
         let bare = catalogue::entry(&operand.operation.text).is_none_or(catalogue::Entry::is_assembler);
@@ -69,6 +75,15 @@ fn whole(request: &Request<'_>, operand: &Operand, language: Language, list: &mu
             3,
             Candidate { label: word.clone(), insert: word, kind: CompletionKind::Prefix, detail, page },
         );
+    }
+}
+
+/// Names of procedures that the control calls.
+fn event_procedures(language: Language, list: &mut List) {
+    for entry in catalogue::entries().filter(|entry| entry.kind == EntryKind::EventProcedure) {
+        let (label, detail) = (entry.name.to_owned(), entry.summary.in_language(language).to_owned());
+        let (insert, kind) = (label.clone(), CompletionKind::Procedure);
+        list.add(0, Candidate { label, insert, kind, detail, page: Page::Entry(entry) });
     }
 }
 

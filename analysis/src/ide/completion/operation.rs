@@ -37,6 +37,16 @@ pub(super) fn list(request: &Request<'_>, language: Language, list: &mut List) {
     }
 }
 
+/// Words that stand behind the name they declare: `NAME STRUC`, `MEMBER DB ?`.
+pub(super) fn list_behind_name(request: &Request<'_>, language: Language, list: &mut List) {
+    let included = request.section.file(request.db).order(request.db).is_none();
+    let context = Context::of(request.db, request.project, request.section, included);
+    let words = ["STRUC", "ENDS", "DB", "DW", "DD", "DQ"].into_iter().filter_map(catalogue::entry);
+    for entry in words.filter(|entry| may_stand(request, &context, entry)) {
+        add_entry(request, entry, language, list);
+    }
+}
+
 fn is_operation(entry: &Entry) -> bool {
     matches!(
         entry.kind,

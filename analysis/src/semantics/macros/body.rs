@@ -106,7 +106,7 @@ impl BodyReader<'_> {
                 _ => {
                     let message = "names are needed here, separated by commas and without brackets: \
                                    DEF_T_MACRO NAME PAR1, PAR2";
-                    let columns = operand.columns.start..operand.columns.end.max(operand.columns.start + 1);
+                    let columns = operand.columns.clone();
                     self.report(&operands::OPERAND_KIND, columns, message);
                 }
             }
@@ -392,8 +392,10 @@ impl BodyReader<'_> {
             let message = format!("macros call each other in a circle: {}", circle.circle);
             self.report(&rules::MACRO_RECURSION, circle.columns.clone(), message);
         }
-        if let Some((columns, message)) = stack_mismatch(self.definition, lines) {
-            self.line = if section.closed(self.db) { lines.len() as u32 - 1 } else { 0 };
+        // The flags stand in the line that ends the definition.
+        let mismatch = section.closed(self.db).then(|| stack_mismatch(self.definition, lines)).flatten();
+        if let Some((columns, message)) = mismatch {
+            self.line = lines.len() as u32 - 1;
             self.report(&rules::MACRO_FLAG_MISMATCH, columns, message);
         }
         self.out.findings.sort_by_key(|finding| (finding.line, finding.columns.start));

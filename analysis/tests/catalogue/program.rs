@@ -2,6 +2,7 @@
 //! plant of the help for the names it does not declare.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 use technol_analysis::catalogue::{self, Entry, OperandKind, Place};
 use technol_analysis::project::{FileReader, load};
@@ -112,7 +113,7 @@ impl Program {
         text.push('\n');
     }
 
-    fn add_section(&mut self, section: &str) {
+    pub(crate) fn add_section(&mut self, section: &str) {
         if !self.sections.iter().any(|(name, _)| name == section) {
             self.sections.push((section.to_string(), String::new()));
         }
@@ -141,7 +142,9 @@ impl Program {
                         continue;
                     }
                     if !taken(&block) {
-                        block.iter().for_each(|line| self.add(section, line));
+                        for line in &block {
+                            self.add(section, line);
+                        }
                     }
                     block.clear();
                 }
@@ -155,10 +158,9 @@ impl Program {
         let mut text = self.before.clone();
         let body =
             |name: &str| self.sections.iter().find(|(own, _)| own == name).map_or("", |(_, text)| text);
-        let mut put = |name: &str| text.push_str(&format!("{name}\n{}{name}_END\n", body(name)));
-        SECTIONS.iter().for_each(|name| put(name));
-        for (name, _) in self.sections.iter().filter(|(name, _)| !SECTIONS.contains(&name.as_str())) {
-            put(name);
+        let further = self.sections.iter().map(|(name, _)| name.as_str());
+        for name in SECTIONS.iter().copied().chain(further.filter(|name| !SECTIONS.contains(name))) {
+            writeln!(text, "{name}\n{}{name}_END", body(name)).expect("a String");
         }
         text.push_str("STOP\n");
         text
@@ -200,7 +202,7 @@ impl Loose {
                 self.block = Some("END_T_MACRO");
             }
             ("STOP", _) => {}
-            ("STR", _) | (_, Some(Place::Data)) => program.add("DATA", line),
+            ("STR", _) | (_, Some(Place::Data | Place::DataOrFileLevel)) => program.add("DATA", line),
             (_, Some(Place::Init | Place::InitOrProcedure)) => program.add("MODULE_INIT", line),
             ("CHECK", _) => self.code.push(line.to_string()),
             (_, Some(Place::Anywhere | Place::FileLevel)) => program.before(line),
@@ -233,7 +235,7 @@ impl Loose {
 }
 
 impl Program {
-    fn before(&mut self, line: &str) {
+    pub(crate) fn before(&mut self, line: &str) {
         self.before.push_str(line);
         self.before.push('\n');
     }
