@@ -309,7 +309,7 @@ impl<'db> CodeReader<'db> {
         }
         match entry.name {
             "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => {
-                operands::declaration(self, entry, line)
+                operands::declaration(self, entry, line);
             }
             "APPEND_T_MACRO" => self.append(line),
             "T_LOCAL" => self.t_local(line),
