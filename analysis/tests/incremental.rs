@@ -225,7 +225,9 @@ fn executed_in(program: &str, edited: &str, from: &str, to: &str) -> BTreeMap<St
     host.apply(Change { project: Some(load("t.plc", &memory)), texts: Vec::new() });
     let mut found = host.analysis().all_diagnostics().expect("nothing cancels it");
     // The programs are short, some of their names are not used.
-    found.iter_mut().for_each(|(_, list)| list.retain(|d| d.severity <= Severity::Warning));
+    for (_, list) in &mut found {
+        list.retain(|d| d.severity <= Severity::Warning);
+    }
     found.retain(|(_, list)| !list.is_empty());
     assert_eq!(found, []);
     log.lock().expect("one thread").clear();
