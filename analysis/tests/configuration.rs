@@ -286,9 +286,10 @@ const SAMPLES: &[(ConfigKind, &str)] = &[
 
 /// Whether the places of all mistakes lie in the text.
 fn places_are_inside(text: &str, kind: ConfigKind) -> bool {
-    let lines: Vec<&str> = text.split('\n').collect();
-    let inside = |at: technol_analysis::Position| {
-        lines.get(at.line as usize).is_some_and(|line| line.is_char_boundary(at.column as usize))
+    let lines: Vec<&str> = technol_analysis::syntax::lines(text).map(|line| line.text).collect();
+    let inside = |at: technol_analysis::Position| match lines.get(at.line as usize) {
+        Some(line) => line.is_char_boundary(at.column as usize),
+        None => at.line as usize == lines.len() && at.column == 0,
     };
     configuration::read(kind, text).problems.iter().all(|it| inside(it.span.start) && inside(it.span.end))
 }

@@ -15,14 +15,16 @@ pub(crate) fn explain(arguments: &ExplainArguments) -> Outcome {
         arguments::Language::Cs => Language::Cs,
     };
     if arguments.list {
-        return list(&titles(language));
+        list(&titles(language));
+        return Ok(exit::OK);
     }
     if let Some(words) = &arguments.search {
         let found = search(words, language);
         if found.is_empty() {
             return Err(Failure::usage(format!("no page holds `{words}`; use fewer or shorter words")));
         }
-        return list(&found);
+        list(&found);
+        return Ok(exit::OK);
     }
     page(arguments.name.as_deref().unwrap_or_default(), language)
 }
@@ -44,7 +46,7 @@ fn page(name: &str, language: Language) -> Outcome {
 }
 
 /// One title a line: name, kind, chapter, summary.
-fn list(titles: &[Title]) -> Outcome {
+fn list(titles: &[Title]) {
     let width = titles.iter().map(|title| title.name.chars().count()).max().unwrap_or(0).min(24);
     for title in titles {
         let kind = match title.topic {
@@ -55,5 +57,4 @@ fn list(titles: &[Title]) -> Outcome {
         };
         say!("{:width$}  {kind:11}  {:6}  {}", title.name, title.chapter, title.summary);
     }
-    Ok(exit::OK)
 }

@@ -42,7 +42,7 @@ pub(super) fn bit(reader: &mut CodeReader<'_>, expr: &Expr, wanted: &BitRules) -
         let message = "a bit is needed here: a bit name, ADR.bit or $+n.bit";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);
         return None;
-    };
+    }
     if !wanted.extended {
         let message = "this instruction takes a bit by its plain name only";
         reader.report(&rules::OPERAND_KIND, expr.columns.clone(), message);

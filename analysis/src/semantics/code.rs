@@ -15,7 +15,9 @@ use super::scope::{Symbol, SymbolKind};
 use super::{devices, flow, lints, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, NameRef, Project, Section};
-use crate::diagnostics::rules::{memory, lints as lint_rules, names, operands as operand_rules, sequences, syntax};
+use crate::diagnostics::rules::{
+    lints as lint_rules, memory, names, operands as operand_rules, sequences, syntax,
+};
 use crate::diagnostics::{Finding, Rule, Severity};
 use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, ExprKind, Line, Name};
@@ -307,7 +309,7 @@ impl<'db> CodeReader<'db> {
         }
         match entry.name {
             "EQUI" | "DS" | "STR" | "DFM" | "DB" | "DW" | "DD" | "DQ" => {
-                operands::declaration(self, entry, line)
+                operands::declaration(self, entry, line);
             }
             "APPEND_T_MACRO" => self.append(line),
             "T_LOCAL" => self.t_local(line),
@@ -326,7 +328,8 @@ impl<'db> CodeReader<'db> {
         let has_operand = !line.operands.is_empty();
         let push = self.equations.step(entry, has_operand, self.line, &operation.columns);
         if matches!(entry.name, "JUM" | "PROC_CALL") && self.equations.left().0 {
-            let message = format!("{} does not close the equation that is open here; close it before", entry.name);
+            let message =
+                format!("{} does not close the equation that is open here; close it before", entry.name);
             self.report(&memory::JUMP_WITH_OPEN_EQUATION, operation.columns.clone(), message);
         }
         if entry.name == "CHECK" {
@@ -371,9 +374,10 @@ impl<'db> CodeReader<'db> {
             }
         }
         // The control calls _ON_ESET from each ESET.
-        let name = line.operation.as_ref().filter(|name| {
-            ["ESET", "ESET1"].iter().any(|eset| name.text.eq_ignore_ascii_case(eset))
-        });
+        let name = line
+            .operation
+            .as_ref()
+            .filter(|name| ["ESET", "ESET1"].iter().any(|eset| name.text.eq_ignore_ascii_case(eset)));
         if let Some(name) = name.filter(|_| self.section.kind(self.db) == SectionKind::Procedure)
             && let Some(Symbol { key, kind: SymbolKind::Procedure }) = self.symbol("_ON_ESET")
         {

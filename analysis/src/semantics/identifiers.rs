@@ -71,34 +71,33 @@ pub(super) fn identifier(
     element: ConfigElement,
     expr: &Expr,
 ) -> Option<Operand> {
-    let (operand, text) = match &expr.kind {
-        ExprKind::Text(text) => {
-            let logical = matches!(element, ConfigElement::LogicalInput | ConfigElement::LogicalOutput);
-            if text.trim().is_empty() {
-                let message = format!("this identifier of {} is empty", element_words(element));
-                reader.report(&memory::BAD_IDENTIFIER, expr.columns.clone(), message);
-                return None;
-            }
-            if logical && text.trim_end().ends_with(']') {
-                let message = "an identifier does not end in an index; name[n] declares the array";
-                reader.report(&memory::BAD_IDENTIFIER, expr.columns.clone(), message);
-                return None;
-            }
-            let text: Arc<str> = Arc::from(text.as_str());
-            (Operand::Text(text.clone()), IdentifierText::Literal(text))
-        }
-        _ => {
-            let need = "an identifier in apostrophes or the label of a text buffer is needed here";
-            let operand = data::text_needed(reader, expr, Access::Read, need)?;
-            let Operand::Area { address, .. } = &operand else { return Some(operand) };
-            let text = IdentifierText::Buffer(address.symbol.clone());
-            (operand, text)
-        }
+    let (operand, text) = if let ExprKind::Text(text) = &expr.kind {
+        let text = literal(reader, element, text, expr)?;
+        (Operand::Text(text.clone()), IdentifierText::Literal(text))
+    } else {
+        let need = "an identifier in apostrophes or the label of a text buffer is needed here";
+        let operand = data::text_needed(reader, expr, Access::Read, need)?;
+        let Operand::Area { address, .. } = &operand else { return Some(operand) };
+        let text = IdentifierText::Buffer(address.symbol.clone());
+        (operand, text)
     };
     let (line, columns) = (reader.line, expr.columns.clone());
     let used = IdentifierUse { element, entry, text, line, columns, declared: None, array: false };
     reader.out.identifiers.push(used);
     Some(operand)
+}
+
+fn literal(reader: &mut CodeReader<'_>, element: ConfigElement, text: &str, expr: &Expr) -> Option<Arc<str>> {
+    let logical = matches!(element, ConfigElement::LogicalInput | ConfigElement::LogicalOutput);
+    let message = if text.trim().is_empty() {
+        format!("this identifier of {} is empty", element_words(element))
+    } else if logical && text.trim_end().ends_with(']') {
+        "an identifier does not end in an index; name[n] declares the array".to_string()
+    } else {
+        return Some(Arc::from(text));
+    };
+    reader.report(&memory::BAD_IDENTIFIER, expr.columns.clone(), message);
+    None
 }
 
 /// Tells the identifiers of a line which cell they belong to.
@@ -242,17 +241,16 @@ fn is_logical(reader: &CodeReader<'_>, key: &SymbolKey) -> bool {
         if !matches!(site.section.kind(db), SectionKind::Module(_) | SectionKind::Procedure) {
             return false;
         }
-        let line = match (site.of, database::expansion_of(db, project, site.section)) {
-            (SiteOf::Other, Some(expansion)) => {
-                let lines = &database::expansion_declarations(db, project, site.section).other_lines;
-                let line = lines.get(site.index as usize);
-                line.and_then(|line| expansion.parsed.lines.get(*line as usize))
-            }
-            _ => {
-                let declared = database::declared(db, project, *site);
-                let lines = &database::section_lines(db, site.section).lines;
-                declared.and_then(|declared| lines.get(declared.line as usize))
-            }
+        let line = if let (SiteOf::Other, Some(expansion)) =
+            (site.of, database::expansion_of(db, project, site.section))
+        {
+            let lines = &database::expansion_declarations(db, project, site.section).other_lines;
+            let line = lines.get(site.index as usize);
+            line.and_then(|line| expansion.parsed.lines.get(*line as usize))
+        } else {
+            let lines = &database::section_lines(db, site.section).lines;
+            let declared = database::declared(db, project, *site);
+            declared.and_then(|declared| lines.get(declared.line as usize))
         };
         let entry = line.and_then(|line| catalogue::entry(&line.operation.as_ref()?.text));
         entry.and_then(Entry::declares) == Some(NewCell::Typed)

@@ -379,7 +379,10 @@ pub(crate) fn resolved(
         let What::Text { over: Some(over), .. } = &mut declared.what else { continue };
         for step in std::mem::take(&mut over.later) {
             // A name that is neither constant nor member is reported where the operand is read.
-            let sum = step.value(&mut |name| distance(db, project, section, name)).ok().and_then(|step| over.offset.checked_add(step));
+            let sum = step
+                .value(&mut |name| distance(db, project, section, name))
+                .ok()
+                .and_then(|step| over.offset.checked_add(step));
             over.offset = sum.unwrap_or(over.offset);
         }
     }

@@ -34,13 +34,7 @@ fn literal(reader: &mut CodeReader<'_>, line: &Line, to: &Operand, len: i64) {
 }
 
 /// Bytes of binary strings: the byte behind the characters counts as well.
-fn binary(
-    reader: &mut CodeReader<'_>,
-    entry: &Entry,
-    line: &Line,
-    both: [&Operand; 2],
-    number: Option<i64>,
-) {
+fn binary(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, both: [&Operand; 2], number: Option<i64>) {
     let rooms = both.map(|operand| room(reader, operand, true));
     if let Some(number) = number {
         for (room, expr) in rooms.into_iter().zip(&line.operands) {

@@ -43,9 +43,9 @@ fn the_list_names_every_kind_of_page() {
 
 #[test]
 fn a_search_lists_what_holds_all_the_words() {
-    let found = run(&["explain", "--search", "timeout"]).ok();
+    let found = run(&["explain", "--search", "tex0 counter holds"]).ok();
     assert!(found.lines().any(|it| it.starts_with("TEX0 ")), "{found}");
-    assert!(!found.contains("DIVB "), "{found}");
+    assert!(!found.contains("\nDIVB "), "{found}");
     let czech = run(&["explain", "--search", "hlaseni", "--language", "cs"]).ok();
     assert!(czech.lines().any(|it| it.starts_with("ESET ")), "{czech}");
     run(&["explain", "--search", "qqqqqq"]).failed(2, &["qqqqqq"]);

@@ -44,7 +44,7 @@ fn break_points_are_moved_or_refused_with_the_reason() {
     let mut adapter = at_entry(&Site::embedded(), &lathe);
     let speed = lathe.line("main.plc", "; ---- speed of the spindle");
     for (line, verified, placed, said) in [
-        (lathe.line("main.plc", "EDGE_H SP_PULSE"), false, None, "MODULE_FAST"),
+        (lathe.line("main.plc", "EDGE_H SP_PULSE"), false, None, "1 ms raster"),
         (lathe.line("main.plc", "LDR  -P3IN.B5"), false, None, "MODULE_CONT"),
         (lathe.line("main.plc", "BLOCKS:     DS 2"), false, None, "no code"),
         (9_999, false, None, "no code"),
