@@ -291,6 +291,14 @@ impl<'a> Check<'a> {
                 Some(Operand::Integer { value, .. }) => (1, *value),
                 _ => return,
             },
+            "SA_READ" | "SA_WRITE" => match code.operands.get(2) {
+                Some(Operand::Integer { value, .. }) => (3, *value),
+                _ => return,
+            },
+            "SHARE_VAR" => match code.operands.get(3) {
+                Some(Operand::Integer { value, .. }) => (0, *value),
+                _ => return,
+            },
             _ => return,
         };
         let Some(Operand::Area { address, len }) = code.operands.get(operand) else { return };

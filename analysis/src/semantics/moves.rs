@@ -25,6 +25,7 @@ pub(super) fn check(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, res
         "BINSTR" | "BCDSTR" => number_text(reader, entry, line, resolved),
         "STRCPY" | "STRADD" | "MEMCPY" | "MEMCMP" => super::texts::check(reader, entry, line, resolved),
         "CLEAR" => cleared(reader, line, resolved),
+        "SA_READ" | "SA_WRITE" => shared(reader, line, resolved),
         _ => {}
     }
 }
@@ -136,6 +137,22 @@ fn number_text(reader: &mut CodeReader<'_>, entry: &Entry, line: &Line, resolved
                 format!("{} takes a buffer of 1 to {MOST_DIGITS} characters, this one has {len}", entry.name);
             reader.report(&lints::NUMBER_TEXT_SIZE, expr.columns.clone(), message);
         }
+    }
+}
+
+/// A block of a shared area, when both its ends are known (manual 18.3).
+fn shared(reader: &mut CodeReader<'_>, line: &Line, resolved: &[Operand]) {
+    const AREA_LEN: i64 = 32_000;
+    let [_, Operand::Integer { value: offset, .. }, Operand::Integer { value: size, .. }, ..] = resolved
+    else {
+        return;
+    };
+    let end = offset.saturating_add(*size);
+    if *offset < 0 || end > AREA_LEN {
+        let message =
+            format!("the block {offset} to {end} does not lie in the {AREA_LEN} bytes of a shared area");
+        let columns = line.operands[1].columns.start..line.operands[2].columns.end;
+        reader.report(&rules::NUMBER_OUT_OF_RANGE, columns, message);
     }
 }
 
