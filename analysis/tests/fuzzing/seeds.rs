@@ -19,7 +19,8 @@ pub(crate) fn all() -> Vec<Vec<u8>> {
     for rule in RULES {
         for text in [rule.wrong, rule.right] {
             let project = project_of(text);
-            let whole = project.iter().flat_map(|(name, text)| [";=== ", name, "\n", text]).collect::<String>();
+            let whole =
+                project.iter().flat_map(|(name, text)| [";=== ", name, "\n", text]).collect::<String>();
             seeds.push(format!(";edit 0 400 700\n{whole}").into_bytes());
         }
     }
