@@ -12,14 +12,17 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
+
 use crate::configuration::cross::{Configured, ProjectUses};
 use crate::configuration::uses::SectionUses;
 use crate::configuration::{ConfigKind, Configuration};
 use crate::diagnostics::allow::Allows;
 use crate::diagnostics::{Diagnostic, Finding};
 use crate::project::{IncludeTarget, Settings};
-use crate::semantics::analysis::SectionAnalysis;
+use crate::semantics::analysis::{Device, SectionAnalysis};
 use crate::semantics::declarations::{Declarations, Declared, Exports, MacroLine};
+use crate::semantics::exports::{FileExpansionExports, FileExports, FileIncludes};
 use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::{DataBlock, Layout};
 use crate::semantics::lints::project::{self as lints, NameUses};
@@ -33,6 +36,7 @@ use crate::semantics::program::Parts;
 use crate::semantics::recursion::RecursiveCall;
 use crate::semantics::scope::{Scope, Symbol};
 use crate::semantics::structure::Outline;
+use crate::semantics::suggest::Spellings;
 use crate::semantics::{self, collect};
 use crate::syntax::section::SectionKind;
 use crate::syntax::{self, ParsedLines};
@@ -259,6 +263,24 @@ pub fn section_exports<'db>(db: &'db dyn Db, section: Section<'db>) -> Exports {
     collect::exports(section_declarations(db, section))
 }
 
+/// What the sections of a file declare for others: whoever reads all files depends on one value for each.
+#[salsa::tracked]
+pub fn file_exports(db: &dyn Db, file: SourceFile) -> FileExports<'_> {
+    FileExports::of(db, file)
+}
+
+/// What the macros that the sections of a file call declare for others.
+#[salsa::tracked]
+pub fn file_expansion_exports(db: &dyn Db, project: Project, file: SourceFile) -> FileExpansionExports<'_> {
+    FileExpansionExports::of(db, project, file)
+}
+
+/// The files that the sections of a file include.
+#[salsa::tracked]
+pub fn file_includes(db: &dyn Db, file: SourceFile) -> FileIncludes<'_> {
+    FileIncludes::of(db, file)
+}
+
 /// Lines of a section that decide which words call macros.
 #[salsa::tracked]
 pub fn section_macro_lines<'db>(db: &'db dyn Db, section: Section<'db>) -> Vec<MacroLine> {
@@ -403,8 +425,14 @@ pub fn scope(db: &dyn Db, project: Project) -> Scope {
 
 /// Where the names of the project are declared.
 #[salsa::tracked]
-pub fn sites(db: &dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'_>>> {
+pub fn sites(db: &dyn Db, project: Project) -> FxHashMap<SymbolKey, Vec<Site<'_>>> {
     semantics::program::sites(db, project)
+}
+
+/// The spellings of all names, to offer a similar one.
+#[salsa::tracked]
+pub fn spellings(db: &dyn Db, project: Project) -> Spellings {
+    Spellings::of(scope(db, project))
 }
 
 /// What a name means where it is used: local to the file, else global, else predefined.
@@ -422,8 +450,18 @@ pub fn section_analysis<'db>(db: &'db dyn Db, project: Project, section: Section
     semantics::code::analyse(db, project, section)
 }
 
+/// The sections of a file that may name devices: they have such an instruction, or a word that may call a macro.
+#[salsa::tracked]
+pub fn device_sections(db: &dyn Db, file: SourceFile) -> Vec<Section<'_>> {
+    let all = sections(db, file).iter().copied();
+    all.filter(|section| {
+        semantics::devices::may_name(section_lines(db, *section), section_uses(db, *section))
+    })
+    .collect()
+}
+
 /// What is done with devices.
-pub type Devices = std::collections::BTreeSet<semantics::analysis::Device>;
+pub type Devices = std::collections::BTreeSet<Device>;
 
 /// What a section does with devices; without positions, so that it stays equal while its other lines change.
 #[salsa::tracked]
@@ -434,8 +472,11 @@ pub fn section_devices<'db>(db: &'db dyn Db, project: Project, section: Section<
 /// What the project does with devices.
 #[salsa::tracked]
 pub fn project_devices(db: &dyn Db, project: Project) -> Devices {
-    let parts = &parts(db, project).parts;
-    parts.iter().flat_map(|part| section_devices(db, project, part.section)).copied().collect()
+    let files = project.files(db).iter().chain(project.included(db));
+    // With CONTROL_T_MACRO PRE any instruction may be a macro.
+    let any = macros_before(db, project);
+    let sections = files.flat_map(|file| if any { sections(db, *file) } else { device_sections(db, *file) });
+    sections.flat_map(|section| section_devices(db, project, *section)).copied().collect()
 }
 
 /// All mistakes of a file, with absolute positions, sorted.

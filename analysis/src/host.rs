@@ -98,9 +98,11 @@ impl AnalysisHost {
         })
     }
 
+    /// A text that changes while the project stays loaded is being edited and will change again: from then on
+    /// salsa looks at what depends on it, and passes over what the other files alone decide.
     fn set_text(&mut self, file: SourceFile, text: &Arc<str>) {
         if file.text(&self.db) != text {
-            file.set_text(&mut self.db).to(text.clone());
+            file.set_text(&mut self.db).with_durability(Durability::LOW).to(text.clone());
         }
     }
 
@@ -185,8 +187,8 @@ impl AnalysisHost {
                 *input
             }
             None => SourceFile::builder(file.path.clone(), file.text.clone(), file.order)
+                .durability(Durability::MEDIUM)
                 .path_durability(Durability::HIGH)
-                .order_durability(Durability::MEDIUM)
                 .new(&self.db),
         }
     }

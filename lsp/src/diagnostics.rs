@@ -19,6 +19,8 @@ pub(crate) struct Diagnosed {
     pub(crate) home: Home,
     /// Its state.
     pub(crate) revision: u64,
+    /// All of the project was looked at, so that files without an entry have no diagnostics.
+    pub(crate) complete: bool,
     /// Files with diagnostics, and all open files.
     pub(crate) files: Vec<DiagnosedFile>,
 }
@@ -34,21 +36,31 @@ pub(crate) struct DiagnosedFile {
     pub(crate) found: Vec<lsp::Diagnostic>,
 }
 
+/// What was found in the open files, which somebody looks at: told before the rest of the project is looked at.
+pub(crate) fn diagnose_open(view: &View, open: &BTreeSet<String>) -> Cancellable<Vec<DiagnosedFile>> {
+    let mut files = Vec::new();
+    for file in open {
+        files.extend(diagnosed(view, file, view.analysis.diagnostics(file)?));
+    }
+    Ok(files)
+}
+
 /// Everything found in a project, and an entry for each open file, so that its version is told.
 pub(crate) fn diagnose(view: &View, open: &BTreeSet<String>) -> Cancellable<Vec<DiagnosedFile>> {
     let mut found: BTreeMap<String, Vec<Diagnostic>> = view.analysis.all_diagnostics()?.into_iter().collect();
     for file in open {
         found.entry(file.clone()).or_default();
     }
-    let file = |(file, mut found): (String, Vec<Diagnostic>)| {
-        found.retain(|it| !view.fragment || it.code.starts_with(SPELLING));
-        Some(DiagnosedFile {
-            uri: view.uri(&file)?,
-            version: view.state(&file).and_then(|it| it.version),
-            found: found.iter().map(|it| to_client(view, &file, it)).collect(),
-        })
-    };
-    Ok(found.into_iter().filter_map(file).collect())
+    Ok(found.into_iter().filter_map(|(file, found)| diagnosed(view, &file, found)).collect())
+}
+
+fn diagnosed(view: &View, file: &str, mut found: Vec<Diagnostic>) -> Option<DiagnosedFile> {
+    found.retain(|it| !view.fragment || it.code.starts_with(SPELLING));
+    Some(DiagnosedFile {
+        uri: view.uri(file)?,
+        version: view.state(file).and_then(|it| it.version),
+        found: found.iter().map(|it| to_client(view, file, it)).collect(),
+    })
 }
 
 /// The protocol's form of a diagnostic of `file`.
@@ -101,11 +113,13 @@ struct Told {
 }
 
 impl Published {
-    /// Takes over the diagnostics of a project; returns what to tell the client.
+    /// Takes over the diagnostics of a project; returns what to tell the client. What other files have stays as it is
+    /// unless these are `complete`.
     pub(crate) fn update(
         &mut self,
         home: &Home,
         files: Vec<DiagnosedFile>,
+        complete: bool,
     ) -> Vec<lsp::PublishDiagnosticsParams> {
         let mut messages = Vec::new();
         let mut named = BTreeSet::new();
@@ -125,7 +139,9 @@ impl Published {
                 messages.push(told.message());
             }
         }
-        messages.extend(self.withdraw(home, |key| !named.contains(key)));
+        if complete {
+            messages.extend(self.withdraw(home, |key| !named.contains(key)));
+        }
         messages
     }
 
@@ -196,29 +212,48 @@ mod tests {
     fn the_client_hears_what_is_new_and_what_is_gone_once() {
         let mut published = Published::default();
         let a = home("/a");
-        let first = published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])]);
+        let first = published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])], true);
         assert_eq!(told(&first), ["/x None bad", "/y None worse"]);
         assert!(
-            published.update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])]).is_empty()
+            published
+                .update(&a, vec![file("x", None, &["bad"]), file("y", None, &["worse"])], true)
+                .is_empty()
         );
-        assert_eq!(told(&published.update(&a, vec![file("x", None, &["bad"])])), ["/y None "]);
+        assert_eq!(told(&published.update(&a, vec![file("x", None, &["bad"])], true)), ["/y None "]);
         assert_eq!(told(&published.drop_project(&a)), ["/x None "]);
         assert!(published.drop_project(&a).is_empty());
     }
 
     #[test]
+    fn the_open_files_come_first_and_take_nothing_back() {
+        let mut published = Published::default();
+        let a = home("/a");
+        published.update(&a, vec![file("x", Some(1), &["bad"]), file("y", None, &["worse"])], true);
+        let open = published.update(&a, vec![file("x", Some(2), &["new"])], false);
+        assert_eq!(told(&open), ["/x Some(2) new"]);
+        let all = published.update(&a, vec![file("x", Some(2), &["new"])], true);
+        assert_eq!(told(&all), ["/y None "]);
+    }
+
+    #[test]
     fn every_version_is_told_even_without_news() {
         let mut published = Published::default();
-        assert_eq!(told(&published.update(&home("/a"), vec![file("x", Some(1), &[])])), ["/x Some(1) "]);
-        assert_eq!(told(&published.update(&home("/a"), vec![file("x", Some(2), &[])])), ["/x Some(2) "]);
-        assert!(published.update(&home("/a"), vec![file("x", Some(2), &[])]).is_empty());
+        assert_eq!(
+            told(&published.update(&home("/a"), vec![file("x", Some(1), &[])], true)),
+            ["/x Some(1) "]
+        );
+        assert_eq!(
+            told(&published.update(&home("/a"), vec![file("x", Some(2), &[])], true)),
+            ["/x Some(2) "]
+        );
+        assert!(published.update(&home("/a"), vec![file("x", Some(2), &[])], true).is_empty());
     }
 
     #[test]
     fn a_file_of_two_projects_shows_the_diagnostics_of_both() {
         let mut published = Published::default();
-        published.update(&home("/a"), vec![file("x", None, &["same", "a"])]);
-        let both = published.update(&home("/b"), vec![file("x", None, &["same", "b"])]);
+        published.update(&home("/a"), vec![file("x", None, &["same", "a"])], true);
+        let both = published.update(&home("/b"), vec![file("x", None, &["same", "b"])], true);
         assert_eq!(told(&both), ["/x None same+a+b"]);
         assert_eq!(told(&published.drop_project(&home("/a"))), ["/x None same+b"]);
     }

@@ -14,7 +14,7 @@ use tower_lsp::ls_types::{MessageType, Uri};
 
 use crate::Outcome;
 use crate::client::Client;
-use crate::diagnostics::{self, Diagnosed, Published};
+use crate::diagnostics::{self, Diagnosed, DiagnosedFile, Published};
 use crate::features::{ROUTES, Views, Work};
 use crate::outbox::Outbox;
 use crate::pool::Pool;
@@ -230,6 +230,8 @@ impl MainLoop {
     }
 
     fn diagnose(&self, home: Home) {
+        type Look = fn(&View, &BTreeSet<String>) -> technol_analysis::Cancellable<Vec<DiagnosedFile>>;
+        let whole: Look = diagnostics::diagnose;
         let Phase::Running(client) = self.phase else { return };
         let Some(project) = self.workspace.project(&home) else { return };
         let view = View::new(project, "", self.settings, client);
@@ -242,21 +244,26 @@ impl MainLoop {
         let revision = project.revision();
         let events = self.events.clone();
         self.pool.run(move || {
-            let files = catch_unwind(AssertUnwindSafe(|| diagnostics::diagnose(&view, &open)));
-            drop(view);
-            let event = match files {
-                Ok(Ok(files)) => Ok(Diagnosed { home, revision, files }),
-                Ok(Err(_)) => return, // the change that cancelled it has asked for the next look
-                Err(panic) => Err(format!("internal error while checking: {}", panic_text(&*panic))),
-            };
-            let _ = events.send(Event::Diagnosed(event));
+            let first: Option<Look> = (!open.is_empty()).then_some(diagnostics::diagnose_open);
+            for (look, complete) in first.map(|it| (it, false)).into_iter().chain([(whole, true)]) {
+                let event = match catch_unwind(AssertUnwindSafe(|| look(&view, &open))) {
+                    Ok(Ok(files)) => Ok(Diagnosed { home: home.clone(), revision, complete, files }),
+                    Ok(Err(_)) => return, // the change that cancelled it has asked for the next look
+                    Err(panic) => Err(format!("internal error while checking: {}", panic_text(&*panic))),
+                };
+                let failed = event.is_err();
+                let _ = events.send(Event::Diagnosed(event));
+                if failed {
+                    return;
+                }
+            }
         });
     }
 
     fn publish(&mut self, diagnosed: Diagnosed) {
         let present = self.workspace.project(&diagnosed.home).map(crate::project::Project::revision);
         if present == Some(diagnosed.revision) {
-            let messages = self.published.update(&diagnosed.home, diagnosed.files);
+            let messages = self.published.update(&diagnosed.home, diagnosed.files, diagnosed.complete);
             self.tell(&messages);
         }
     }

@@ -24,6 +24,7 @@ const BENCHMARKS: &[&str] = &[
     "--package=technol-runtime",
     "--bench=parse",
     "--bench=check",
+    "--bench=latency",
     "--bench=build",
     "--bench=cycle",
 ];

@@ -500,11 +500,7 @@ impl<'db> CodeReader<'db> {
     }
 
     fn nearest_symbol(&self, name: &Name) -> Option<String> {
-        let scope = database::scope(self.db, self.project);
-        let locals = self.place.file.and_then(|file| scope.locals.get(usize::from(file)));
-        let own = locals.into_iter().flat_map(|table| table.keys()).chain(scope.globals.keys());
-        let own = own.map(|key| &**key).filter(|key| !key.contains("@@"));
-        let near = suggest::nearest(&name.text, own);
+        let near = database::spellings(self.db, self.project).nearest(&name.text, self.place.file);
         let near = near.or_else(|| suggest::nearest(&name.text, catalogue::symbols().map(|s| s.name)));
         near.map(|near| declared_spelling(self.db, self.project, self.place.file, near))
     }

@@ -7,9 +7,9 @@ use rustc_hash::FxHashMap;
 
 use super::constant::ConstExpr;
 use super::declarations::What;
+use super::exports::AllExports;
 use super::program::Part;
 use crate::catalogue::SystemKind;
-use crate::database::{Db, Project};
 
 /// EQUI constants of the project.
 #[derive(Default)]
@@ -23,13 +23,13 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    pub(super) fn resolve(db: &dyn Db, project: Project, parts: &[Part<'_>]) -> Constants {
+    pub(super) fn resolve(exports: &AllExports<'_>, parts: &[Part<'_>]) -> Constants {
         let mut open: FxHashMap<Arc<str>, Vec<&ConstExpr>> = FxHashMap::default();
         let mut known = Constants::default();
         for part in parts {
-            let all = super::program::all_exports(db, project, part);
-            let names =
-                all.flat_map(|(_, exports, _)| exports.names.iter().enumerate().map(move |it| (exports, it)));
+            let names = exports
+                .of(part)
+                .flat_map(|(_, exports, _)| exports.names.iter().enumerate().map(move |it| (exports, it)));
             for (exports, (index, (name, what))) in names {
                 if let What::Constant(value) = what {
                     match (value, exports.expressions.iter().find(|(i, _)| *i == index as u32)) {

@@ -233,7 +233,7 @@ pub enum What {
 }
 
 /// What others see of a section's declarations: no positions.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, salsa::SalsaValue)]
 pub struct Exports {
     /// Length of each piece of memory; `None` when it needs constants of other sections.
     pub storage: Vec<Option<u32>>,

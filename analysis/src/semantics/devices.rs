@@ -4,14 +4,19 @@ use technol_image::program::ModuleKind;
 
 use super::analysis::{Device, DeviceUse, Record};
 use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolScope};
-use crate::catalogue::{Effect, Entry, Equation};
+use super::lints::uses::Uses;
+use crate::catalogue::{self, Effect, Entry, Equation};
 use crate::diagnostics::rules::lints as rules;
 use crate::diagnostics::{Finding, Rule};
+use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, Line};
 use crate::syntax::section::SectionKind;
 
 /// Commands of ECAT_COMMAND that bring a state: the constants and their values.
 const STATE_COMMANDS: [(&str, i64); 2] = [("ECATCMD_MASTER_STATE", 20), ("ECATCMD_SLAVE_STATE", 21)];
+
+/// The cell that simulates a spindle's speed, under both its names.
+const SIMULATED_SPEED: [&str; 2] = ["OTACKY_VR", "SIM_SPEED_PT"];
 
 /// What a section does with devices.
 #[derive(Default)]
@@ -49,6 +54,18 @@ fn is_transfer(entry: &Entry) -> bool {
         && (entry.name.starts_with("PLCT_") || entry.name.starts_with("ECAT_"))
 }
 
+/// Whether lines may do something with devices: they have such an instruction, name such a cell, or have a word that
+/// may call a macro.
+pub(crate) fn may_name(parsed: &ParsedLines, uses: &Uses) -> bool {
+    let named = |key: &&str| uses.names.binary_search_by(|(name, _)| (**name).cmp(key)).is_ok();
+    let device = |name: &str| name.starts_with("POS_") || name.starts_with("ANALOG") || name == "AX_SPI";
+    SIMULATED_SPEED.iter().any(named)
+        || parsed.lines.iter().any(|line| {
+            let operation = line.operation.as_ref();
+            operation.is_some_and(|it| catalogue::entry(&it.text).is_none_or(|entry| device(entry.name)))
+        })
+}
+
 /// What other sections must match.
 fn device(code: &Instruction) -> Option<Device> {
     let axis = |at: usize| match code.operands.get(at) {
@@ -57,7 +74,7 @@ fn device(code: &Instruction) -> Option<Device> {
     };
     let simulated = |at: usize| match code.operands.get(at) {
         Some(Operand::Cell { address, .. }) if address.symbol.scope == SymbolScope::System => {
-            matches!(&*address.symbol.name, "SIM_SPEED_PT" | "OTACKY_VR").then_some(Device::SimulatedSpeed)
+            SIMULATED_SPEED.contains(&&*address.symbol.name).then_some(Device::SimulatedSpeed)
         }
         _ => None,
     };

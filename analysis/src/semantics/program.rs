@@ -9,10 +9,11 @@ use technol_image::op::Width;
 use super::constant::{ConstExpr, NoValue};
 use super::constants::Constants;
 use super::declarations::{Declarations, Exports, Extent, What};
+use super::exports::AllExports;
 use super::hir::{SymbolKey, SymbolScope};
 use super::scope::{Clash, Routine, Scope, Symbol, SymbolKind};
 use crate::catalogue::{Prefix, SystemKind};
-use crate::database::{self, Db, Project, Section, Site, SiteOf, SourceFile};
+use crate::database::{self, Db, Project, Section, Site, SourceFile};
 use crate::project::IncludeTarget;
 use crate::syntax::section::SectionKind;
 
@@ -75,14 +76,15 @@ impl<'db> Walk<'db> {
     fn visit(&mut self, part: Part<'db>) {
         self.found.parts.push(part);
         let from = part.section.file(self.db).path(self.db);
-        for (name, _) in &database::section_exports(self.db, part.section).includes {
+        let file = part.section.file(self.db);
+        for name in database::file_includes(self.db, file).of_section(part.section) {
             let key = (from.clone(), name.clone());
             let Some(IncludeTarget::File(path)) = self.project.includes(self.db).get(&key) else { continue };
             let Some((path, file)) = self.included.get_key_value(path.as_str()).map(|(p, f)| (*p, *f)) else {
                 continue;
             };
             let holds = matches!(part.kind, SectionKind::Data | SectionKind::DataLocal);
-            let memory = holds && has_memory(self.db, file);
+            let memory = holds && database::file_includes(self.db, file).memory;
             if let Some(before) = self.seen.get_mut(path) {
                 if memory && std::mem::replace(before, true) {
                     self.found.repeated.push(Repeated { section: part.section, name: name.clone() });
@@ -104,19 +106,14 @@ impl<'db> Walk<'db> {
     }
 }
 
-fn has_memory(db: &dyn Db, file: SourceFile) -> bool {
-    database::sections(db, file)
-        .iter()
-        .any(|section| !database::section_exports(db, *section).storage.is_empty())
-}
-
 /// Names and memory of the project.
 pub(crate) fn scope(db: &dyn Db, project: Project) -> Scope {
     let parts = &database::parts(db, project).parts;
-    let constants = Constants::resolve(db, project, parts);
+    let all = AllExports::read(db, project);
+    let constants = Constants::resolve(&all, parts);
     let mut scope = Scope { locals: vec![FxHashMap::default(); project.files(db).len()], ..Scope::default() };
     for part in parts {
-        for (part, exports, _) in all_exports(db, project, part) {
+        for (part, exports, _) in all.of(part) {
             for (name, what) in &exports.names {
                 declare(&mut scope, db, &part, exports, name, what, &constants);
             }
@@ -126,22 +123,6 @@ pub(crate) fn scope(db: &dyn Db, project: Project) -> Scope {
     mechanism_lines(&mut scope);
     local_clashes(&mut scope);
     scope
-}
-
-/// What a part exports: its own lines, then the macros it calls. The part's kind is the one the names count for.
-pub(super) fn all_exports<'db>(
-    db: &'db dyn Db,
-    project: Project,
-    part: &Part<'db>,
-) -> impl Iterator<Item = (Part<'db>, &'db Exports, SiteOf)> {
-    let own = (*part, database::section_exports(db, part.section), SiteOf::Own);
-    let expanded = database::has_macros(db, project)
-        .then(|| database::expansion_exports(db, project, part.section))
-        .map(|expanded| {
-            let local = Part { kind: SectionKind::DataLocal, ..*part };
-            [(local, &expanded.local, SiteOf::Local), (*part, &expanded.other, SiteOf::Other)]
-        });
-    std::iter::once(own).chain(expanded.into_iter().flatten())
 }
 
 /// Declarations that get memory together.
@@ -331,10 +312,11 @@ fn kind_of(part: &Part<'_>, exports: &Exports, name: &str, what: &What, constant
 }
 
 /// Where names are declared.
-pub(crate) fn sites<'db>(db: &'db dyn Db, project: Project) -> BTreeMap<SymbolKey, Vec<Site<'db>>> {
-    let mut sites: BTreeMap<SymbolKey, Vec<Site<'db>>> = BTreeMap::new();
+pub(crate) fn sites<'db>(db: &'db dyn Db, project: Project) -> FxHashMap<SymbolKey, Vec<Site<'db>>> {
+    let all = AllExports::read(db, project);
+    let mut sites: FxHashMap<SymbolKey, Vec<Site<'db>>> = FxHashMap::default();
     for part in &database::parts(db, project).parts {
-        for (part, exports, of) in all_exports(db, project, part) {
+        for (part, exports, of) in all.of(part) {
             for ((name, what), index) in exports.names.iter().zip(&exports.indices) {
                 let key = SymbolKey { scope: owner(&part, what), name: name.clone() };
                 sites.entry(key).or_default().push(Site { section: part.section, of, index: *index });

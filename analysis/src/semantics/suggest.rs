@@ -1,30 +1,113 @@
 //! "Did you mean": the nearest of known names.
 
+use std::sync::Arc;
+
+use super::scope::Scope;
+
 /// The candidate nearest to `word`, if one is near enough to be a likely slip. Both are compared in upper case.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let word = word.to_ascii_uppercase().into_bytes();
-    let limit = match word.len() {
-        0 | 1 => return None,
-        2..=4 => 1,
-        5..=8 => 2,
-        _ => 3,
-    };
-    let mut best: Option<(usize, &str)> = None;
+    let mut search = Search::new(word)?;
     for candidate in candidates {
-        let bound = best.map_or(limit, |(distance, _)| distance.saturating_sub(1).min(limit));
-        if candidate.len().abs_diff(word.len()) > bound {
-            continue;
+        search.offer(candidate, Letters::of(candidate));
+    }
+    search.best.map(|(_, name)| name)
+}
+
+/// Names of a project, laid out so that looking at all of them takes no time to speak of.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Spellings {
+    /// Global names.
+    globals: Group,
+    /// Local names of each file.
+    locals: Vec<Group>,
+}
+
+/// Letters beside each other, names beside each other: a search reads few of the names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Group {
+    letters: Vec<Letters>,
+    names: Vec<Arc<str>>,
+}
+
+impl Spellings {
+    pub(crate) fn of(scope: &Scope) -> Spellings {
+        let locals = scope.locals.iter().map(|table| Group::of(table.keys())).collect();
+        Spellings { globals: Group::of(scope.globals.keys()), locals }
+    }
+
+    /// The name nearest to `word` among those that a file sees. Names of macros' own are not offered.
+    pub(crate) fn nearest(&self, word: &str, file: Option<u8>) -> Option<&str> {
+        let mut search = Search::new(word)?;
+        let local = file.and_then(|file| self.locals.get(usize::from(file)));
+        for group in local.into_iter().chain([&self.globals]) {
+            for (letters, name) in group.letters.iter().zip(&group.names) {
+                search.offer(name, *letters);
+            }
         }
-        let distance = distance(&word, candidate.to_ascii_uppercase().as_bytes());
-        let better = match best {
-            None => distance <= limit,
+        search.best.map(|(_, name)| name)
+    }
+}
+
+impl Group {
+    fn of<'a>(names: impl Iterator<Item = &'a Arc<str>>) -> Group {
+        let names: Vec<Arc<str>> = names.filter(|name| !name.contains("@@")).cloned().collect();
+        Group { letters: names.iter().map(|name| Letters::of(name)).collect(), names }
+    }
+}
+
+/// Length of a word, and which characters it has, in upper case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Letters {
+    set: u64,
+    len: u32,
+}
+
+impl Letters {
+    fn of(word: &str) -> Letters {
+        let set = word.bytes().fold(0, |set, byte| set | 1 << (byte.to_ascii_uppercase() & 63));
+        Letters { set, len: u32::try_from(word.len()).unwrap_or(u32::MAX) }
+    }
+
+    /// A number that the distance of the two words is not below.
+    fn at_least(self, other: Letters) -> usize {
+        let missing = (self.set & !other.set).count_ones().max((other.set & !self.set).count_ones());
+        self.len.abs_diff(other.len).max(missing) as usize
+    }
+}
+
+struct Search<'a> {
+    word: Vec<u8>,
+    letters: Letters,
+    limit: usize,
+    best: Option<(usize, &'a str)>,
+}
+
+impl<'a> Search<'a> {
+    fn new(word: &str) -> Option<Search<'a>> {
+        let limit = match word.len() {
+            0 | 1 => return None,
+            2..=4 => 1,
+            5..=8 => 2,
+            _ => 3,
+        };
+        let letters = Letters::of(word);
+        Some(Search { word: word.to_ascii_uppercase().into_bytes(), letters, limit, best: None })
+    }
+
+    fn offer(&mut self, candidate: &'a str, letters: Letters) {
+        let bound = self.best.map_or(self.limit, |(distance, _)| distance);
+        if self.letters.at_least(letters) > bound {
+            return;
+        }
+        let distance = distance(&self.word, candidate.to_ascii_uppercase().as_bytes());
+        let better = match self.best {
+            None => distance <= self.limit,
             Some((before, name)) => distance < before || (distance == before && candidate < name),
         };
         if better {
-            best = Some((distance, candidate));
+            self.best = Some((distance, candidate));
         }
     }
-    best.map(|(_, name)| name)
 }
 
 /// Number of inserted, deleted, replaced or swapped neighbouring characters.
@@ -58,5 +141,17 @@ mod tests {
         assert_eq!(near("LRD"), Some("LDR"));
         assert_eq!(near("COOLANT"), None);
         assert_eq!(near("X"), None);
+    }
+
+    #[test]
+    fn leaving_names_out_by_their_letters_changes_no_answer() {
+        let words =
+            ["A", "AB", "ABBA", "BABA", "ABCD", "DCBA", "ACBD", "MOTOR_1", "MOTOR_2", "MOTR_1", "XMOTOR_1Y"];
+        for a in words {
+            for b in words {
+                let least = Letters::of(a).at_least(Letters::of(b));
+                assert!(least <= distance(a.as_bytes(), b.as_bytes()), "{a} {b}");
+            }
+        }
     }
 }

@@ -74,9 +74,10 @@ fn described(db: &dyn Db, section: Section<'_>) -> Arc<str> {
 
 /// The uses of names that a file does not declare.
 pub(crate) fn foreign_uses(db: &dyn Db, file: SourceFile) -> NameUses {
-    let own: FxHashSet<&Arc<str>> = database::sections(db, file)
+    let own: FxHashSet<&Arc<str>> = database::file_exports(db, file)
+        .sections
         .iter()
-        .flat_map(|section| database::section_exports(db, *section).names.iter().map(|(name, _)| name))
+        .flat_map(|(_, exports)| exports.names.iter().map(|(name, _)| name))
         .collect();
     let mut uses = database::file_uses(db, file).clone();
     uses.names.retain(|name, _| !own.contains(name) && crate::catalogue::symbol(name).is_none());

@@ -21,7 +21,7 @@ pub struct ExpansionDeclarations {
 }
 
 /// What others see of them.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, salsa::SalsaValue)]
 pub struct ExpansionExports {
     /// Of DATA_LOCAL.
     pub local: Exports,
