@@ -39,6 +39,9 @@ fn measure(name: &str, lines: &[usize]) {
     let (mut file, mut project) = (Vec::new(), Vec::new());
     let mut found = 0;
     let (path, text) = &texts[lines.len() / 2];
+    let opened = Arc::from(text.as_str());
+    host.apply(Change { project: None, texts: vec![(path.clone(), opened)] });
+    host.analysis().all_diagnostics().expect("nothing cancels it");
     for turn in 0..EDITS {
         let edited: Arc<str> = Arc::from(generated::edit(text, turn));
         let begin = Instant::now();

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Durability, Setter};
 
 use crate::database::{self, ConfigFile, Database, Project, SourceFile};
@@ -17,6 +18,8 @@ pub type Cancellable<T> = Result<T, Cancelled>;
 pub struct AnalysisHost {
     db: Database,
     state: State,
+    /// Files whose texts came as those of somebody who edits.
+    edited: FxHashSet<SourceFile>,
 }
 
 /// A change of the project or of texts.
@@ -24,7 +27,7 @@ pub struct AnalysisHost {
 pub struct Change {
     /// The project, when it was loaded or its set of files changed.
     pub project: Option<LoadedProject>,
-    /// Edited texts by project path; files that are not part of the project are ignored.
+    /// Texts of files that somebody edits, by project path; files that are not part of the project are ignored.
     pub texts: Vec<(String, Arc<str>)>,
 }
 
@@ -62,7 +65,7 @@ impl AnalysisHost {
     /// A host over a database of the caller's making, to observe its events.
     #[must_use]
     pub fn with_database(db: Database) -> AnalysisHost {
-        AnalysisHost { db, state: State::default() }
+        AnalysisHost { db, state: State::default(), edited: FxHashSet::default() }
     }
 
     /// Takes a change. Waits until no snapshot is alive; running queries of snapshots are cancelled.
@@ -72,7 +75,7 @@ impl AnalysisHost {
         }
         for (path, text) in change.texts {
             if let Some(file) = self.state.files.get(&path).copied() {
-                self.set_text(file, &text);
+                self.edit(file, text);
             } else if let Some(file) = self.state.configuration.get(&path).copied()
                 && *file.text(&self.db) != text
             {
@@ -98,11 +101,11 @@ impl AnalysisHost {
         })
     }
 
-    /// A text that changes while the project stays loaded is being edited and will change again: from then on
-    /// salsa looks at what depends on it, and passes over what the other files alone decide.
-    fn set_text(&mut self, file: SourceFile, text: &Arc<str>) {
-        if file.text(&self.db) != text {
-            file.set_text(&mut self.db).with_durability(Durability::LOW).to(text.clone());
+    /// From now on salsa looks at what depends on this file, and passes over what the other files alone decide. It
+    /// takes a file that becomes one of these for changed as a whole, so this happens when it is opened.
+    fn edit(&mut self, file: SourceFile, text: Arc<str>) {
+        if self.edited.insert(file) || *file.text(&self.db) != text {
+            file.set_text(&mut self.db).with_durability(Durability::LOW).to(text);
         }
     }
 
@@ -180,7 +183,9 @@ impl AnalysisHost {
     fn input(&mut self, old: &BTreeMap<String, SourceFile>, file: &LoadedFile) -> SourceFile {
         match old.get(&file.path) {
             Some(input) => {
-                self.set_text(*input, &file.text);
+                if *input.text(&self.db) != file.text {
+                    input.set_text(&mut self.db).to(file.text.clone());
+                }
                 if input.order(&self.db) != file.order {
                     input.set_order(&mut self.db).to(file.order);
                 }

@@ -237,7 +237,8 @@ fn executed_by(files: &Memory, path: &str, text: &str) -> BTreeSet<String> {
         }
     }));
     let mut host = AnalysisHost::with_database(db);
-    host.apply(Change { project: Some(load("", files)), texts: Vec::new() });
+    let opened = String::from_utf8(files.read(path).expect("it is there")).expect("it is UTF-8");
+    host.apply(Change { project: Some(load("", files)), texts: vec![(path.to_string(), opened.into())] });
     host.analysis().all_diagnostics().expect("nothing cancels it");
     log.lock().expect("one thread").clear();
     host.apply(Change { project: None, texts: vec![(path.to_string(), text.into())] });

@@ -70,7 +70,10 @@ fn executed_by(before: &str, after: &str) -> BTreeMap<String, usize> {
         }
     }));
     let mut host = AnalysisHost::with_database(db);
-    host.apply(Change { project: Some(load("t.plc", &memory(before))), texts: Vec::new() });
+    host.apply(Change {
+        project: Some(load("t.plc", &memory(before))),
+        texts: vec![("t.plc".to_string(), Arc::from(before))],
+    });
     host.analysis().all_diagnostics().expect("nothing cancels it");
     log.lock().expect("one thread").clear();
     host.apply(Change { project: None, texts: vec![("t.plc".to_string(), Arc::from(after))] });
@@ -222,7 +225,8 @@ fn executed_in(program: &str, edited: &str, from: &str, to: &str) -> BTreeMap<St
     }));
     let mut host = AnalysisHost::with_database(db);
     let memory = Memory(files.iter().map(|(p, t)| ((*p).to_string(), (*t).to_string())).collect());
-    host.apply(Change { project: Some(load("t.plc", &memory)), texts: Vec::new() });
+    let opened: Arc<str> = Arc::from(memory.0[edited].as_str());
+    host.apply(Change { project: Some(load("t.plc", &memory)), texts: vec![(edited.to_string(), opened)] });
     let mut found = host.analysis().all_diagnostics().expect("nothing cancels it");
     // The programs are short, some of their names are not used.
     for (_, list) in &mut found {

@@ -79,11 +79,13 @@ impl Project {
             (Home::Folder(key) | Home::File(key), None) => load(key.as_str(), &reader),
         };
         let mut files = Files::new();
+        let mut open = Vec::new();
         self.names.clear();
         for file in loaded.files.iter_mut().chain(&mut loaded.included).chain(&mut loaded.configuration) {
             let key = reader.key_of(FileKey::in_project(&self.root, &file.path));
             if let Some(document) = documents.get(&key) {
                 file.text = document.text.to_string().into();
+                open.push((file.path.clone(), file.text.clone()));
             }
             self.add(&mut files, key, &file.path, &file.text, documents);
         }
@@ -96,7 +98,7 @@ impl Project {
             }
         }
         self.files = Arc::new(files);
-        self.host.apply(Change { project: Some(loaded), texts: Vec::new() });
+        self.host.apply(Change { project: Some(loaded), texts: open });
         self.revision += 1;
     }
 

@@ -100,11 +100,13 @@ impl<'a> Search<'a> {
             return;
         }
         let distance = distance(&self.word, candidate.to_ascii_uppercase().as_bytes());
-        let better = match self.best {
-            None => distance <= self.limit,
-            Some((before, name)) => distance < before || (distance == before && candidate < name),
+        // Of two that are equally near the one with the same first letter, then the first in the alphabet.
+        let rank = |distance: usize, name: &'a str| {
+            let first = name.bytes().next().map(|byte| byte.to_ascii_uppercase());
+            (distance, first != self.word.first().copied(), name)
         };
-        if better {
+        let better = self.best.is_none_or(|(before, name)| rank(distance, candidate) < rank(before, name));
+        if better && distance <= self.limit {
             self.best = Some((distance, candidate));
         }
     }
@@ -141,6 +143,7 @@ mod tests {
         assert_eq!(near("LRD"), Some("LDR"));
         assert_eq!(near("COOLANT"), None);
         assert_eq!(near("X"), None);
+        assert_eq!(nearest("WRR", ["RR", "WRX", "WR"].into_iter()), Some("WR"));
     }
 
     #[test]

@@ -20,7 +20,10 @@ fn executed_by(before: &str, after: &str) -> BTreeMap<String, usize> {
     }));
     let mut host = AnalysisHost::with_database(db);
     let files = Memory(BTreeMap::from([("main.plc".to_string(), before.as_bytes().to_vec())]));
-    host.apply(Change { project: Some(load("main.plc", &files)), texts: Vec::new() });
+    host.apply(Change {
+        project: Some(load("main.plc", &files)),
+        texts: vec![("main.plc".to_string(), Arc::from(before))],
+    });
     assert!(host.analysis().build().expect("nothing cancels it").is_ok());
     log.lock().expect("one thread").clear();
     host.apply(Change { project: None, texts: vec![("main.plc".to_string(), Arc::from(after))] });
