@@ -1,6 +1,11 @@
-//! The page of anything that has a name (an instruction, a symbol of the control, a rule), the list of them, and the
+//! The page of anything that has a name (an instruction, a symbol of the control, a configuration word, a rule), the list of them, and the
 //! search in them.
 
+use std::collections::BTreeSet;
+
+use crate::catalogue::configuration::{
+    ConfigurationWord, configuration_markdown, configuration_words, configuration_words_named,
+};
 use crate::catalogue::{self, EntryKind, Language, SystemSymbol};
 use crate::diagnostics::{self, Rule};
 use crate::semantics::suggest::nearest;
@@ -14,6 +19,8 @@ pub enum Topic {
     Keyword,
     /// A predefined symbol.
     Symbol,
+    /// A word of configuration files, dialogs or the registry.
+    Configuration,
     /// A diagnostic.
     Rule,
 }
@@ -43,20 +50,34 @@ pub fn explain(name: &str, language: Language) -> Result<String, Option<&'static
     if let Some(symbol) = catalogue::symbol(name) {
         return Ok(catalogue::page::symbol_markdown(symbol, language));
     }
+    let words: Vec<String> =
+        configuration_words_named(name).map(|word| configuration_markdown(word, language)).collect();
+    if !words.is_empty() {
+        return Ok(words.join("\n"));
+    }
     diagnostics::explain(&name.to_ascii_uppercase()).ok_or_else(|| {
         let entries = catalogue::entries().map(|entry| entry.name);
         let rules = diagnostics::RULES.iter().map(|rule| rule.code);
         let symbols = catalogue::symbols().map(|symbol| symbol.name);
-        nearest(name, entries.chain(rules)).or_else(|| nearest(name, symbols))
+        let words = configuration_words().map(|word| word.name);
+        nearest(name, entries.chain(rules)).or_else(|| nearest(name, symbols.chain(words)))
     })
 }
 
-/// Every page there is: instructions, keywords, symbols, rules, each in the order of the manual.
+/// Every page there is: instructions, keywords, symbols, configuration words, rules, each in the order of the manual.
+/// A name that is spelled like another one before it is on the page of that one, or has none.
 #[must_use]
 pub fn titles(language: Language) -> Vec<Title> {
     let mut titles: Vec<Title> = catalogue::entries().map(|entry| of_entry(entry, language)).collect();
     titles.sort_by_key(|title| title.topic);
     titles.extend(catalogue::symbols().map(|symbol| of_symbol(symbol, language)));
+    let mut taken = BTreeSet::new();
+    let words = configuration_words().filter(|word| {
+        let key = word.name.to_ascii_uppercase();
+        let own = catalogue::entry(&key).is_none() && catalogue::symbol(&key).is_none();
+        own && taken.insert(key)
+    });
+    titles.extend(words.map(|word| of_word(word, language)));
     titles.extend(diagnostics::RULES.iter().map(|rule| of_rule(rule)));
     titles
 }
@@ -109,6 +130,15 @@ fn of_symbol(symbol: &SystemSymbol, language: Language) -> Title {
     }
 }
 
+fn of_word(word: &ConfigurationWord, language: Language) -> Title {
+    Title {
+        topic: Topic::Configuration,
+        name: word.name.to_owned(),
+        chapter: word.chapter,
+        summary: word.summary.in_language(language).to_owned(),
+    }
+}
+
 fn of_rule(rule: &Rule) -> Title {
     let first = rule.explanation.split_inclusive(". ").next().unwrap_or_default();
     Title {
@@ -148,7 +178,7 @@ mod tests {
 
     #[test]
     fn instructions_prefixes_symbols_and_rules_have_a_page() {
-        for name in ["ldr", "TEX0", "CNST.", "P1IN", "t0301"] {
+        for name in ["ldr", "TEX0", "CNST.", "P1IN", "t0301", "vk_f1"] {
             assert!(explain(name, Language::En).is_ok(), "{name}");
         }
         assert_ne!(explain("TEX0", Language::En), explain("TEX0", Language::Cs));

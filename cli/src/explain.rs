@@ -53,6 +53,7 @@ fn list(titles: &[Title]) {
             Topic::Instruction => "instruction",
             Topic::Keyword => "keyword",
             Topic::Symbol => "symbol",
+            Topic::Configuration => "configuration",
             Topic::Rule => "diagnostic",
         };
         say!("{:width$}  {kind:11}  {:6}  {}", title.name, title.chapter, title.summary);

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use technol_analysis::project::{Encoding, EncodingChoice, decode, encode};
+use technol_analysis::project::{Encoding, EncodingChoice, LoadedFile, decode, encode};
 use technol_dap::Disk;
 
 use crate::arguments::{EncodingName, FmtArguments};
@@ -80,7 +80,7 @@ fn is_project(path: &Path) -> bool {
     path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
 }
 
-/// The sources of a project that lie in its folder, and its manifest when that names an encoding.
+/// The sources and configuration files of a project that lie in its folder, and its manifest when that names an encoding.
 fn of_project(path: &Path) -> Result<(Vec<Source>, Option<Manifest>), Failure> {
     let loaded = technol_analysis::project::load(&path.to_string_lossy(), &Disk);
     let Some((manifest, text)) = &loaded.manifest_file else {
@@ -95,9 +95,13 @@ fn of_project(path: &Path) -> Result<(Vec<Source>, Option<Manifest>), Failure> {
     };
     let root = Path::new(&loaded.root);
     let inside = |path: &str| !(path.starts_with("../") || Path::new(path).is_absolute());
-    let paths = loaded.files.iter().chain(&loaded.included).map(|file| file.path.as_str());
-    let sources =
-        paths.filter(|path| inside(path)).map(|path| Source { path: root.join(path), declared }).collect();
+    let source = |file: &LoadedFile, declared| {
+        inside(&file.path).then(|| Source { path: root.join(&file.path), declared })
+    };
+    let programs = loaded.files.iter().chain(&loaded.included).filter_map(|file| source(file, declared));
+    // A configuration file says itself how it is written.
+    let configuration = loaded.configuration.iter().filter_map(|file| source(file, None));
+    let sources = programs.chain(configuration).collect();
     let manifest =
         declared.map(|encoding| Manifest { path: root.join(manifest), text: text.to_string(), encoding });
     Ok((sources, manifest))

@@ -44,6 +44,22 @@ fn a_project_is_converted_with_its_manifest() {
 }
 
 #[test]
+fn configuration_files_of_a_project_are_converted_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("technol.toml"), "[project]\nname = \"p\"\nmain = \"a.plc\"\n")
+        .expect("written");
+    fs::write(folder.path().join("a.plc"), "DATA\nDATA_END\n").expect("written");
+    let errors = folder.path().join("p.PlcErrors");
+    let text =
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<PlcErrors><!-- porucha v\u{159}etene --></PlcErrors>\n";
+    fs::write(&errors, text).expect("written");
+    run(&["fmt", "--encoding", "windows-1250", folder.path().to_str().expect("plain")]).ok();
+    let bytes = fs::read(&errors).expect("read");
+    let (now, wanted) = (String::from_utf8_lossy(&bytes), "encoding=\"windows-1250\"?>");
+    assert!(now.contains(wanted) && bytes.contains(&0xF8), "{now}");
+}
+
+#[test]
 fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let (good, bad) = (folder.path().join("good.plc"), folder.path().join("bad.plc"));

@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use technol_analysis::Language;
+use technol_analysis::catalogue::configuration::{
+    ConfigurationWord, configuration_markdown, configuration_words,
+};
 use technol_analysis::catalogue::page::{markdown, symbol_markdown};
 use technol_analysis::catalogue::{Entry, SystemSymbol, entries, symbols};
 use technol_analysis::diagnostics::{self, RULES};
@@ -22,6 +25,9 @@ pub(super) fn pages() -> Vec<(String, String)> {
         }
         for (chapter, symbols) in by_chapter(symbols(), |symbol| symbol.chapter) {
             pages.push((path(language, "symbols", &chapter), symbol_pages(&chapter, &symbols, language)));
+        }
+        for (chapter, words) in by_chapter(configuration_words(), |word| word.chapter) {
+            pages.push((path(language, "configuration", &chapter), word_pages(&chapter, &words, language)));
         }
     }
     pages
@@ -99,6 +105,18 @@ fn symbol_pages(chapter: &str, symbols: &[&'static SystemSymbol], language: Lang
     page
 }
 
+fn word_pages(chapter: &str, words: &[&'static ConfigurationWord], language: Language) -> String {
+    let head = match language {
+        Language::En => "Words of configuration files, dialogs and the registry",
+        Language::Cs => "Slova konfiguračních souborů, dialogů a registru",
+    };
+    let mut page = format!("{NOTICE}\n# {head}: {}\n", title(chapter, language));
+    for word in words {
+        let _ = write!(page, "\n{}", configuration_markdown(word, language));
+    }
+    page
+}
+
 fn diagnostics_page() -> (String, String) {
     let mut page = format!("{NOTICE}\n# Diagnostics\n");
     for rule in RULES {
@@ -126,6 +144,11 @@ fn index() -> String {
             let what = if language == Language::En { "Symbols" } else { "Symboly" };
             let _ = writeln!(page, "- [{what}: {}]({link})", title(&chapter, language));
         }
+        for (chapter, _) in by_chapter(configuration_words(), |word| word.chapter) {
+            let link = format!("{}/configuration-{chapter}.md", code(language));
+            let what = if language == Language::En { "Configuration words" } else { "Slova konfigurace" };
+            let _ = writeln!(page, "- [{what}: {}]({link})", title(&chapter, language));
+        }
     }
     page
 }
@@ -149,6 +172,9 @@ mod tests {
             }
             for symbol in symbols() {
                 assert!(text.contains(&format!("### {}\n", symbol.spelling)), "{}", symbol.name);
+            }
+            for word in configuration_words() {
+                assert!(text.contains(&configuration_markdown(word, language)), "{}", word.name);
             }
         }
         let rules = &pages.iter().find(|(path, _)| path.ends_with("diagnostics.md")).expect("a page").1;

@@ -213,6 +213,7 @@ pub static RULES: &[&Rule] = &[
     &lints::OVERLAY_ELSEWHERE,
     &lints::NUMBER_TEXT_SIZE,
     &lints::STALE_REAL,
+    &lints::SECOND_NAME,
 ];
 
 /// The rule with `code`, in any case.

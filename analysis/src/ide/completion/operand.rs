@@ -35,9 +35,11 @@ pub(super) fn list(request: &Request<'_>, operand: &Operand, language: Language,
             symbols(request, language, list, |symbol| match symbol.kind {
                 SymbolKind::Bit { .. } if siblings.contains(&symbol.key) => Some(0),
                 SymbolKind::Bit { .. } | SymbolKind::FormalBit { .. } => Some(1),
+                SymbolKind::Member { .. } => Some(u8::from(!siblings.is_empty())),
                 _ => None,
             });
         }
+        Part::BlockMember => block_members(language, list),
     }
 }
 
@@ -240,6 +242,18 @@ fn symbols(request: &Request<'_>, language: Language, list: &mut List, fit: impl
             let detail = system.summary.in_language(language).to_owned();
             list.add(PREDEFINED + fit, candidate(&symbol, system.name.to_owned(), detail));
         }
+    }
+}
+
+fn block_members(language: Language, list: &mut List) {
+    for member in catalogue::block_members() {
+        if !list.matches(member.name) {
+            continue;
+        }
+        let kind = crate::semantics::program::system_kind(&member.kind);
+        let key = SymbolKey { scope: SymbolScope::System, name: format!("BLK.{}", member.name).into() };
+        let detail = member.summary.in_language(language).to_owned();
+        list.add(0, candidate(&Symbol { key, kind }, member.name.to_owned(), detail));
     }
 }
 

@@ -50,6 +50,8 @@ pub(super) enum Part {
     Parameter,
     /// Behind the dot of an address; its name, when it is a plain one.
     Bit(Option<Name>),
+    /// Behind the dot of `BLK[n].`.
+    BlockMember,
 }
 
 impl Request<'_> {
@@ -163,11 +165,16 @@ fn operand(line: &Line, operation: &Name, head: &str) -> Option<Operand> {
                 Some(spelling) => Part::Typed(spelling.prefix),
                 None => Part::Bit(Some(name.clone())),
             },
+            Expr { kind: ExprKind::Index { base, .. }, .. } if is_block(base) => Part::BlockMember,
             _ => Part::Bit(None),
         },
         Some(_) => return None,
     };
     Some(Operand { operation: operation.clone(), index: line.operands.len().saturating_sub(1), part })
+}
+
+fn is_block(base: &Expr) -> bool {
+    matches!(&base.kind, ExprKind::Name(name) if name.text.eq_ignore_ascii_case("BLK"))
 }
 
 /// Whether an operand, read up to the position, ends in an open sum.

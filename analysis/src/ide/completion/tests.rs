@@ -254,3 +254,17 @@ fn an_answer_is_bounded_and_keeps_what_fits_best() {
     assert_eq!(found.len(), crate::ide::MOST_COMPLETIONS);
     assert_eq!(found[..3], ["BIT1", "BIT10", "BIT100"]);
 }
+
+#[test]
+fn members_behind_the_dot_of_a_block_and_of_an_address() {
+    let block = labels(&project("LDR BLK[2].<CURSOR>"));
+    assert!(block.iter().any(|label| label == "T"), "{block:?}");
+    assert!(!block.iter().any(|label| label == "COUNT" || label == "RUN"), "{block:?}");
+    let help = completions(&project("LDR BLK[2].T<CURSOR>"));
+    assert!(help.iter().any(|it| it.label == "T" && !it.detail.is_empty()), "{help:?}");
+
+    let structure =
+        project("LOD TABLE.<CURSOR>").replace("DATA\n", "DATA\nUNIT STRUC\nFEED DW ?\nUNIT ENDS\n");
+    let members = labels(&structure);
+    assert!(members.iter().any(|label| label == "FEED"), "{members:?}");
+}

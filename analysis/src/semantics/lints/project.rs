@@ -170,8 +170,8 @@ impl Judge<'_> {
                 _ => {}
             }
         }
-        for (name, message) in overlays::of(declarations) {
-            self.add(section, &rules::OVERLAPPING_OVERLAYS, name, message);
+        for (rule, name, message) in overlays::of(declarations) {
+            self.add(section, rule, name, message);
         }
     }
 
