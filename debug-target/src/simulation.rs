@@ -3,7 +3,9 @@
 use std::collections::VecDeque;
 
 use technol_image::{Program, system};
-use technol_machine::{BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent};
+use technol_machine::{
+    BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent, SimulatedControl,
+};
 use technol_runtime::{Block, Command, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
 
 /// Blocks handed to the PLC ahead of the one in progress.
@@ -29,6 +31,7 @@ fn list(errors: &[ConfigError]) -> String {
 pub struct Simulation {
     runtime: Runtime,
     plant: Plant,
+    control: SimulatedControl,
     inputs: InputImage,
     /// The millisecond the machine was moved for.
     moved: Option<u64>,
@@ -57,6 +60,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
+            control: SimulatedControl::new(),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -116,7 +120,7 @@ impl Simulation {
             self.hand_over_blocks();
         }
         let first = events.len();
-        let outcome = self.runtime.tick(&self.inputs, events);
+        let outcome = self.runtime.tick_with(&self.inputs, &mut self.control, events);
         if std::mem::take(&mut self.starting) {
             self.moved = None;
         }
