@@ -16,6 +16,7 @@ mod block;
 mod calls;
 mod code;
 mod context;
+mod coverage;
 mod debugger;
 mod decimal;
 mod equation;
