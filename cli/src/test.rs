@@ -45,7 +45,8 @@ pub(crate) fn test(arguments: &TestArguments) -> Outcome {
     loop {
         let mut files = Vec::new();
         // A change while the tests run is a change, too.
-        let scenarios = || discover::project_of(&arguments.path).map(|found| scenario_files(&found)).unwrap_or_default();
+        let scenarios =
+            || discover::project_of(&arguments.path).map(|found| scenario_files(&found)).unwrap_or_default();
         let early = watch::Look::at(scenarios());
         match once(arguments, &mut files) {
             Ok(_) => {}
@@ -85,7 +86,8 @@ fn once(arguments: &TestArguments, files: &mut Vec<PathBuf>) -> Outcome {
         )));
     }
     let all = tests.len();
-    let chosen: Vec<Test> = tests.into_iter().filter(|test| is_chosen(test, arguments.filter.as_deref())).collect();
+    let chosen: Vec<Test> =
+        tests.into_iter().filter(|test| is_chosen(test, arguments.filter.as_deref())).collect();
     if chosen.is_empty() {
         let filter = arguments.filter.as_deref().unwrap_or_default();
         return Err(Failure::usage(format!("--filter {filter}: none of the {all} tests is called so")));
@@ -141,7 +143,10 @@ fn read_all(files: &[PathBuf], reader: &mut Reader<'_>) -> Result<Vec<Test>, Fai
     if mistakes == 0 {
         return Ok(tests);
     }
-    Err(Failure::usage(format!("no test was run: {} in scenario files", crate::check::count(mistakes, "mistake"))))
+    Err(Failure::usage(format!(
+        "no test was run: {} in scenario files",
+        crate::check::count(mistakes, "mistake")
+    )))
 }
 
 fn is_chosen(test: &Test, filter: Option<&str>) -> bool {
@@ -151,7 +156,13 @@ fn is_chosen(test: &Test, filter: Option<&str>) -> bool {
 }
 
 /// Runs the chosen tests and tells about each.
-fn run(project: &Project, tests: &[Test], all: usize, jobs: Option<NonZeroUsize>, bench: &Bench<'_>) -> Vec<Verdict> {
+fn run(
+    project: &Project,
+    tests: &[Test],
+    all: usize,
+    jobs: Option<NonZeroUsize>,
+    bench: &Bench<'_>,
+) -> Vec<Verdict> {
     let paint = Paint::stdout();
     let mut files: Vec<&str> = tests.iter().map(|test| test.file.as_str()).collect();
     files.dedup();

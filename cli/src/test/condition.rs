@@ -165,7 +165,9 @@ impl Condition {
 
     fn operands(&self) -> impl Iterator<Item = &Operand> {
         let clauses = self.any.iter().flatten();
-        clauses.flat_map(|clause| std::iter::once(&clause.left).chain(clause.test.iter().map(|(_, right)| right)))
+        clauses.flat_map(|clause| {
+            std::iter::once(&clause.left).chain(clause.test.iter().map(|(_, right)| right))
+        })
     }
 }
 
@@ -173,7 +175,10 @@ impl Clause {
     fn parse(text: &str, at: usize, names: &Names<'_>) -> Result<Clause, Mistake> {
         let (text, at) = trimmed(text, at);
         if text.is_empty() {
-            return Err(Mistake { at, message: "a condition is missing here, for instance COUNT >= 5".to_owned() });
+            return Err(Mistake {
+                at,
+                message: "a condition is missing here, for instance COUNT >= 5".to_owned(),
+            });
         }
         check_parentheses(text, at)?;
         let (negated, text, at) = match text.strip_prefix('!') {
@@ -191,7 +196,9 @@ impl Clause {
         let left = Operand::parse(&text[..place], at, names)?;
         let (right_text, right_at) = trimmed(&text[place + sign.len()..], at + place + sign.len());
         let right = match &left {
-            Operand::Mechanism(name, _) => Operand::State(designate(name, unquoted(right_text), right_at, names)?),
+            Operand::Mechanism(name, _) => {
+                Operand::State(designate(name, unquoted(right_text), right_at, names)?)
+            }
             Operand::Value(_, Target::Text { .. }) if is_quoted(right_text) => {
                 Operand::Text(unquoted(right_text).replace("''", "'"))
             }
@@ -213,8 +220,15 @@ impl Clause {
             (Operand::Mechanism(..), _) if !equality => {
                 Err("a mechanism is or is not in a state: use == or !=".to_owned())
             }
-            (Operand::Value(_, Target::Text { .. }), Operand::Text(_) | Operand::Value(_, Target::Text { .. })) => {
-                if equality { Ok(()) } else { Err("texts are compared by == and != only".to_owned()) }
+            (
+                Operand::Value(_, Target::Text { .. }),
+                Operand::Text(_) | Operand::Value(_, Target::Text { .. }),
+            ) => {
+                if equality {
+                    Ok(())
+                } else {
+                    Err("texts are compared by == and != only".to_owned())
+                }
             }
             (_, Operand::Text(_)) | (Operand::Text(_), _) => {
                 Err("a text is compared with a text buffer (STR) only".to_owned())
@@ -269,7 +283,8 @@ impl Operand {
             "false" => return Ok(Operand::Value(text.to_owned(), Target::Constant(0))),
             _ => {}
         }
-        if text.contains('.') && text.trim_start_matches(['-', '+']).starts_with(|c: char| c.is_ascii_digit()) {
+        if text.contains('.') && text.trim_start_matches(['-', '+']).starts_with(|c: char| c.is_ascii_digit())
+        {
             let real = text.parse().ok().filter(|value: &f64| value.is_finite());
             return match real {
                 Some(value) => Ok(Operand::Real(value)),
@@ -341,16 +356,21 @@ impl Operand {
 
     fn explain(&self, look: &Look<'_>) -> Option<String> {
         match self {
-            Operand::Value(_, Target::Constant(_)) | Operand::Real(_) | Operand::Text(_) | Operand::State(_) => None,
-            Operand::Value(text, target) => {
-                Some(format!("{text} is {}", read(*target, look.runtime).map_or("outside of memory".to_owned(), shown)))
-            }
+            Operand::Value(_, Target::Constant(_))
+            | Operand::Real(_)
+            | Operand::Text(_)
+            | Operand::State(_) => None,
+            Operand::Value(text, target) => Some(format!(
+                "{text} is {}",
+                read(*target, look.runtime).map_or("outside of memory".to_owned(), shown)
+            )),
             Operand::Mechanism(name, sequence) => {
                 let state = look.runtime.sequences().nth(usize::from(*sequence))?;
                 Some(format!("{name} {}", look.mechanisms.describe(&state)))
             }
             Operand::Message(number) => {
-                let shown = if look.messages.is_open(*number) { "has been shown" } else { "has not been shown" };
+                let shown =
+                    if look.messages.is_open(*number) { "has been shown" } else { "has not been shown" };
                 Some(format!("message {number} {shown}"))
             }
         }

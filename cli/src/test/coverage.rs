@@ -42,7 +42,8 @@ impl<'a> Coverage<'a> {
             lines.entry(line.line).and_modify(|sum| *sum += count).or_insert(count);
         }
         let mut functions = Vec::new();
-        let procedures = program.procedures.iter().map(|procedure| (procedure.start, procedure.name.as_str()));
+        let procedures =
+            program.procedures.iter().map(|procedure| (procedure.start, procedure.name.as_str()));
         let sequences = debug.mechanisms.iter().filter_map(|mechanism| {
             let sequence = program.sequences.get(usize::from(mechanism.sequence))?;
             // Its MECH_BEGIN is executed in each cycle: it has run when what follows has.
@@ -94,10 +95,12 @@ impl<'a> Coverage<'a> {
             let Some(lines) = self.files.get(file) else { continue };
             let (hit, total) = hits(lines.values().copied());
             let missing = ranges(lines);
-            let missing = if missing.is_empty() { missing } else { paint.yellow(format!("  not: {missing}")) };
+            let missing =
+                if missing.is_empty() { missing } else { paint.yellow(format!("  not: {missing}")) };
             let _ = writeln!(out, "  {file:<width$}  {}{missing}", share(hit, total));
         }
-        let states = self.mechanisms.list.iter().flat_map(|m| m.states.iter().map(|s| self.count(&m.file, s.line)));
+        let states =
+            self.mechanisms.list.iter().flat_map(|m| m.states.iter().map(|s| self.count(&m.file, s.line)));
         let (hit, total) = hits(states);
         let _ = writeln!(out, "{} {}", paint.bold("states reached"), share(hit, total));
         let named = self.mechanisms.list.iter().filter(|m| !m.states.is_empty());
@@ -139,7 +142,9 @@ fn ranges(lines: &BTreeMap<u32, u64>) -> String {
         }
         open = *count == 0;
     }
-    let text = |(first, last): &(u32, u32)| if first == last { first.to_string() } else { format!("{first}-{last}") };
+    let text = |(first, last): &(u32, u32)| {
+        if first == last { first.to_string() } else { format!("{first}-{last}") }
+    };
     ranges.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 

@@ -33,7 +33,8 @@ pub(super) fn project_of(path: &Path) -> Result<Found, Failure> {
     let whole = path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let above = whole.ancestors().skip(1).position(|folder| folder.join("technol.toml").is_file());
     if let Some(levels) = above {
-        let near = path.ancestors().skip(1).nth(levels).filter(|folder| folder.join("technol.toml").is_file());
+        let near =
+            path.ancestors().skip(1).nth(levels).filter(|folder| folder.join("technol.toml").is_file());
         let project = near.or_else(|| whole.ancestors().skip(1).nth(levels)).unwrap_or(path);
         let project = if project.as_os_str().is_empty() { Path::new(".") } else { project };
         return Ok(Found { project: project.to_owned(), only });

@@ -144,8 +144,13 @@ impl<'a> Run<'a> {
         let cycle = self.simulation.runtime().cycle();
         self.history.step(self.ms, cycle, format!("step {number} (line {}){name}", step.place.line));
         for action in &step.actions {
+            if let Some(text) = action.text() {
+                self.history.step(self.ms, self.simulation.runtime().cycle(), text);
+            }
             self.act(action)?;
         }
+        // What the step has set comes before what follows from it.
+        self.history.look(self.ms, self.simulation.runtime());
         self.guards.retain(|guard| guard.name.as_ref().is_none_or(|name| !step.ends.contains(name)));
         self.guards.extend(&step.guards);
         let passed = self.time(&step.time);
@@ -169,9 +174,9 @@ impl<'a> Run<'a> {
             Action::Stop { power_off } => {
                 self.simulation.runtime_mut().command(Command::StopPlc { power_off: *power_off });
             }
-            Action::CentralAnnulment => {
-                self.simulation.start_block(block_of_annulment());
-            }
+            Action::CentralAnnulment => self.simulation.start_block(block_of_annulment()),
+            Action::Clear => self.simulation.runtime_mut().command(Command::ClearPlc),
+            Action::Halt => self.simulation.runtime_mut().command(Command::Halt),
             Action::Fault { name, on } => {
                 if let Err(error) = self.simulation.plant_mut().set_fault(name, *on) {
                     return failed(format!("a fault {name} of the machine"), error.to_string());
@@ -271,7 +276,10 @@ impl<'a> Run<'a> {
                 if self.messages.tick_off(*number) {
                     return None;
                 }
-                Some(problem(&format!("message {number}"), format!("shown and not ticked off yet: {}", self.open())))
+                Some(problem(
+                    &format!("message {number}"),
+                    format!("shown and not ticked off yet: {}", self.open()),
+                ))
             }
             Check::NoMessage(number) => {
                 let open = self.messages.is_open(*number);

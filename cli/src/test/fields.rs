@@ -28,10 +28,8 @@ pub(super) struct Entry<'d, 't> {
 
 /// Entries of a table in the order they are written.
 pub(super) fn entries<'d, 't>(table: &'d DeTable<'t>) -> Vec<Entry<'d, 't>> {
-    let mut entries: Vec<Entry<'d, 't>> = table
-        .iter()
-        .map(|(key, node)| Entry { key: key.get_ref(), at: key.span().start, node })
-        .collect();
+    let mut entries: Vec<Entry<'d, 't>> =
+        table.iter().map(|(key, node)| Entry { key: key.get_ref(), at: key.span().start, node }).collect();
     entries.sort_by_key(|entry| entry.at);
     entries
 }
@@ -77,7 +75,10 @@ impl Source<'_> {
     pub(super) fn known(&mut self, table: &DeTable<'_>, of: &str, keys: &[&str]) {
         for entry in entries(table) {
             if !keys.contains(&entry.key) {
-                self.error(entry.at, format!("`{}` is no key of {of}; there is: {}", entry.key, keys.join(", ")));
+                self.error(
+                    entry.at,
+                    format!("`{}` is no key of {of}; there is: {}", entry.key, keys.join(", ")),
+                );
             }
         }
     }

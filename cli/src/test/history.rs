@@ -53,18 +53,24 @@ impl<'a> History<'a> {
     /// Notes what is different from the last look; the first one only remembers.
     pub(super) fn look(&mut self, ms: u64, runtime: &Runtime) {
         let first = self.values.len() < self.names.len() || self.states.is_empty();
-        let values: Vec<Option<Value>> = self.names.iter().map(|(_, target)| read(*target, runtime)).collect();
+        let values: Vec<Option<Value>> =
+            self.names.iter().map(|(_, target)| read(*target, runtime)).collect();
         let states: Vec<SequenceState> = runtime.sequences().collect();
         let mut news = Vec::new();
         if !first {
-            for (n, (new, old)) in values.iter().zip(&self.values).enumerate().filter(|(_, (new, old))| new != old) {
+            for (n, (new, old)) in
+                values.iter().zip(&self.values).enumerate().filter(|(_, (new, old))| new != old)
+            {
                 let text = |value: &Option<Value>| value.clone().map_or_else(|| "nothing".to_owned(), shown);
                 news.push((Source::Value(n), format!("{} {} → {}", self.names[n].0, text(old), text(new))));
             }
             for (new, _) in states.iter().zip(&self.states).filter(|(new, old)| key(new) != **old) {
                 let name = self.mechanisms.list.iter().find(|m| m.sequence == new.sequence);
                 let name = name.map_or("a mechanism", |m| m.name.as_str());
-                news.push((Source::Mechanism(new.sequence), format!("{name} {}", self.mechanisms.describe(new))));
+                news.push((
+                    Source::Mechanism(new.sequence),
+                    format!("{name} {}", self.mechanisms.describe(new)),
+                ));
             }
         }
         self.values = values;

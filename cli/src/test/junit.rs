@@ -39,8 +39,9 @@ fn case(test: &Test, verdict: &Verdict) -> String {
         None => format!("{head}/>\n"),
         Some(failure) => {
             let problems = failure.problems.iter();
-            let message: Vec<String> =
-                problems.map(|problem| format!("expected {}, {}", problem.expected, problem.actual)).collect();
+            let message: Vec<String> = problems
+                .map(|problem| format!("expected {}, {}", problem.expected, problem.actual))
+                .collect();
             let text = report::failure(test, failure, Paint::none());
             format!(
                 "{head}>\n      <failure type=\"failure\" message=\"{}\">{}</failure>\n    </testcase>\n",
@@ -54,7 +55,10 @@ fn case(test: &Test, verdict: &Verdict) -> String {
 fn totals(results: &[(&Test, &Verdict)]) -> String {
     let failures = results.iter().filter(|(_, verdict)| verdict.failure.is_some()).count();
     let time: f64 = results.iter().map(|(_, verdict)| verdict.took.as_secs_f64()).sum();
-    format!("tests=\"{}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\" time=\"{time:.3}\"", results.len())
+    format!(
+        "tests=\"{}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\" time=\"{time:.3}\"",
+        results.len()
+    )
 }
 
 /// Text for an attribute or an element; characters that XML has no way to write become replacement characters.
@@ -68,7 +72,9 @@ fn escape(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\n' => out.push_str("&#10;"),
             '\t' => out.push_str("&#9;"),
-            c if c < ' ' || matches!(c, '\u{7F}'..='\u{9F}' | '\u{FFFE}' | '\u{FFFF}') => out.push('\u{FFFD}'),
+            c if c < ' ' || matches!(c, '\u{7F}'..='\u{9F}' | '\u{FFFE}' | '\u{FFFF}') => {
+                out.push('\u{FFFD}')
+            }
             c => out.push(c),
         }
     }
@@ -81,6 +87,9 @@ mod tests {
 
     #[test]
     fn text_is_escaped_for_attributes_and_elements() {
-        assert_eq!(escape("a < b && \"c\"\r\n\u{1b}[1mž"), "a &lt; b &amp;&amp; &quot;c&quot;\u{FFFD}&#10;\u{FFFD}[1mž");
+        assert_eq!(
+            escape("a < b && \"c\"\r\n\u{1b}[1mž"),
+            "a &lt; b &amp;&amp; &quot;c&quot;\u{FFFD}&#10;\u{FFFD}[1mž"
+        );
     }
 }

@@ -45,7 +45,7 @@ impl Machines {
     #[cfg(test)]
     pub(super) fn add(&mut self, file: &Path, config: MachineConfig) {
         let choice = Choice { file: Some(file.to_owned()), part_program: true };
-        self.list.push((choice, Machine::of(config).unwrap()));
+        self.list.push((choice, Machine::of(config).expect("the machine is right")));
     }
 
     pub(super) fn get(&self, number: usize) -> &Machine {
@@ -60,6 +60,9 @@ impl Machines {
 
 impl Machine {
     fn read(file: &Path, part_program: bool) -> Result<Machine, String> {
+        if !file.is_file() {
+            return Err(format!("there is no machine file {}", file.display()));
+        }
         let mut config = technol_target::load_machine(file).map_err(|e| e.to_string())?;
         if !part_program {
             config.block.clear();

@@ -33,7 +33,8 @@ pub(super) fn each<T: Sync, R: Send>(
         let mut told = 0;
         for (number, result) in receiver {
             results[number] = Some(result);
-            while let Some((item, Some(result))) = items.get(told).zip(results.get(told).map(Option::as_ref)) {
+            while let Some((item, Some(result))) = items.get(told).zip(results.get(told).map(Option::as_ref))
+            {
                 tell(item, result);
                 told += 1;
             }
@@ -55,7 +56,8 @@ mod tests {
                 std::thread::sleep(std::time::Duration::from_micros(50 * (n * 7 % 5)));
                 n * n
             };
-            let results = each(&items, NonZeroUsize::new(jobs).unwrap(), work, |n, square| told.push((*n, *square)));
+            let results =
+                each(&items, NonZeroUsize::new(jobs).unwrap(), work, |n, square| told.push((*n, *square)));
             assert_eq!(results, items.iter().map(|n| n * n).collect::<Vec<_>>());
             assert_eq!(told, items.iter().map(|n| (*n, n * n)).collect::<Vec<_>>(), "{jobs} threads");
         }

@@ -62,7 +62,7 @@ impl Reader<'_> {
     fn file(&mut self, table: &DeTable<'_>, folder: &Path, source: &mut Source<'_>) -> Vec<Test> {
         source.known(table, "a scenario file", FILE);
         let project = Choice { file: self.machine.clone(), part_program: true };
-        let choice = choice(table, &project, folder, source);
+        let choice = choice(table, &(project, None), folder, source);
         let guards = self.guards(table, source);
         let Some(node) = get(table, "test") else {
             source.error(0, "there is no [[test]] in this file");
@@ -84,7 +84,7 @@ impl Reader<'_> {
         &mut self,
         at: usize,
         table: &DeTable<'_>,
-        of_file: &Choice,
+        of_file: &(Choice, Option<usize>),
         guards_of_file: &[Guard],
         folder: &Path,
         source: &mut Source<'_>,
@@ -95,10 +95,9 @@ impl Reader<'_> {
         if name.is_none() {
             source.error(at, "a test needs a `name`");
         }
-        let choice = choice(table, of_file, folder, source);
+        let (choice, said) = choice(table, of_file, folder, source);
         let machine = self.machines.number(&choice).unwrap_or_else(|error| {
-            let at = get(table, "machine").map_or(at, |node| node.span().start);
-            source.error(at, error);
+            source.error(said.unwrap_or(at), error);
             // Keys and faults are not known then; the error is enough.
             self.machines.number(&Choice { file: None, part_program: true }).unwrap_or_default()
         });
@@ -179,16 +178,24 @@ fn inside(node: &Node<'_>, text: &str, at: usize, file: &str) -> usize {
     if plain { first + at } else { start }
 }
 
-/// The machine that a file or a test says, or else the one before.
-fn choice(table: &DeTable<'_>, before: &Choice, folder: &Path, source: &mut Source<'_>) -> Choice {
-    let mut choice = before.clone();
-    if let Some(name) = get(table, "machine").and_then(|node| source.text(node, "`machine`")) {
+/// The machine that a file or a test says and where it says so, or else the one before.
+fn choice(
+    table: &DeTable<'_>,
+    before: &(Choice, Option<usize>),
+    folder: &Path,
+    source: &mut Source<'_>,
+) -> (Choice, Option<usize>) {
+    let (mut choice, mut at) = before.clone();
+    if let Some(node) = get(table, "machine")
+        && let Some(name) = source.text(node, "`machine`")
+    {
         choice.file = (name != "none").then(|| folder.join(name));
+        at = Some(node.span().start);
     }
     if let Some(on) = get(table, "part-program").and_then(|node| source.boolean(node, "`part-program`")) {
         choice.part_program = on;
     }
-    choice
+    (choice, at)
 }
 
 /// Every name with a value that a test mentions, once.

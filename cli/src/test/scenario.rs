@@ -61,14 +61,61 @@ pub(super) struct Step {
 /// What a step does.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
-    Start { cold: bool },
-    Stop { power_off: bool },
+    Start {
+        cold: bool,
+    },
+    Stop {
+        power_off: bool,
+    },
     CentralAnnulment,
-    Fault { name: String, on: bool },
-    Key { name: String, down: bool },
+    /// MODULE_CLEAR.
+    Clear,
+    /// A fatal error of the control: MODULE_HALT.
+    Halt,
+    Fault {
+        name: String,
+        on: bool,
+    },
+    Key {
+        name: String,
+        down: bool,
+    },
     /// The text says it as written.
-    Set { name: String, target: Target, text: String, assignment: Assignment },
+    Set {
+        name: String,
+        target: Target,
+        text: String,
+        assignment: Assignment,
+    },
     Block(BlockStart),
+}
+
+impl Action {
+    /// As it is told in a report; a value that is set is told as a change of that value.
+    pub(super) fn text(&self) -> Option<String> {
+        let text = match self {
+            Action::Start { cold: true } => "start, cold".to_owned(),
+            Action::Start { cold: false } => "start, warm".to_owned(),
+            Action::Stop { .. } => "stop".to_owned(),
+            Action::CentralAnnulment => "central annulment".to_owned(),
+            Action::Clear => "clear".to_owned(),
+            Action::Halt => "halt".to_owned(),
+            Action::Fault { name, on: true } => format!("fault {name}"),
+            Action::Fault { name, on: false } => format!("repair {name}"),
+            Action::Key { name, down: true } => format!("press {name}"),
+            Action::Key { name, down: false } => format!("release {name}"),
+            Action::Set { .. } => return None,
+            Action::Block(block) => {
+                let m = block.m.iter().map(|m| format!("M{m}"));
+                let other = |letter: char, value: Option<u32>| value.map(|value| format!("{letter}{value}"));
+                let s = other('S', block.s.map(u32::from));
+                let h = other('H', block.h.map(u32::from));
+                let functions: Vec<String> = m.chain(s).chain(other('T', block.t)).chain(h).collect();
+                format!("block {}", functions.join(" ")).trim_end().to_owned()
+            }
+        };
+        Some(text)
+    }
 }
 
 /// What a step waits for.
@@ -77,8 +124,14 @@ pub(super) enum Time {
     /// Nothing.
     #[default]
     None,
-    Wait { ms: u64 },
-    Until { condition: Condition, at_least: u64, at_most: u64 },
+    Wait {
+        ms: u64,
+    },
+    Until {
+        condition: Condition,
+        at_least: u64,
+        at_most: u64,
+    },
 }
 
 /// What must be so at the end of a step.

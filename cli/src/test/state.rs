@@ -71,7 +71,8 @@ impl Mechanisms {
             let states = mechanism.states.iter().map(|state| {
                 let after = sequence.and_then(|s| s.resume.get(usize::from(state.point).checked_sub(1)?));
                 let range = sequence.zip(after).map(|(sequence, after)| sequence.start..*after);
-                let text = lines.get((state.line as usize).wrapping_sub(1)).copied().unwrap_or(&state.mnemonic);
+                let text =
+                    lines.get((state.line as usize).wrapping_sub(1)).copied().unwrap_or(&state.mnemonic);
                 let text = text.split(';').next().unwrap_or_default();
                 State {
                     point: state.point,

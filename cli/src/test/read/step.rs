@@ -15,6 +15,8 @@ const STEP: &[&str] = &[
     "start",
     "stop",
     "central-annulment",
+    "clear",
+    "halt",
     "press",
     "release",
     "fault",
@@ -83,7 +85,13 @@ impl Reader<'_> {
     }
 
     /// What a key of a step does, if it does something.
-    fn actions(&self, entry: &Entry<'_, '_>, machine: usize, actions: &mut Vec<Action>, source: &mut Source<'_>) {
+    fn actions(
+        &self,
+        entry: &Entry<'_, '_>,
+        machine: usize,
+        actions: &mut Vec<Action>,
+        source: &mut Source<'_>,
+    ) {
         let node = entry.node;
         let machine = self.machines.get(machine);
         match entry.key {
@@ -95,11 +103,18 @@ impl Reader<'_> {
                 let off = one_of(node, "stop", &[("command", false), ("power-off", true)], source);
                 actions.extend(off.map(|power_off| Action::Stop { power_off }));
             }
-            "central-annulment" => match source.boolean(node, "`central-annulment`") {
-                Some(true) => actions.push(Action::CentralAnnulment),
-                Some(false) => source.error(node.span().start, "say true, or leave the key out"),
-                None => {}
-            },
+            "central-annulment" | "clear" | "halt" => {
+                let action = match entry.key {
+                    "clear" => Action::Clear,
+                    "halt" => Action::Halt,
+                    _ => Action::CentralAnnulment,
+                };
+                match source.boolean(node, &format!("`{}`", entry.key)) {
+                    Some(true) => actions.push(action),
+                    Some(false) => source.error(node.span().start, "say true, or leave the key out"),
+                    None => {}
+                }
+            }
             "press" | "release" => {
                 for (span, name) in source.texts(node, "the name of a key") {
                     let down = entry.key == "press";
@@ -119,7 +134,12 @@ impl Reader<'_> {
             "set" => {
                 if let Some(table) = source.table(node, "`set`") {
                     for (name, entry) in names(table) {
-                        actions.extend(self.set(&name, &entry, |port, mask| machine.drives(port, mask), source));
+                        actions.extend(self.set(
+                            &name,
+                            &entry,
+                            |port, mask| machine.drives(port, mask),
+                            source,
+                        ));
                     }
                 }
             }
@@ -143,18 +163,20 @@ impl Reader<'_> {
         let target = match resolve(self.names.debug, None, name) {
             Ok(target) => target.in_memory(self.names.program),
             Err(error) => {
-                let near = nearest(self.names.debug, name).map_or(String::new(), |n| format!("; did you mean {n}?"));
+                let near =
+                    nearest(self.names.debug, name).map_or(String::new(), |n| format!("; did you mean {n}?"));
                 source.error(entry.at, format!("{error}{near}"));
                 return None;
             }
         };
-        let assignment = match target.assign(if value == "true" || value == "false" { bit(&value) } else { &value }) {
-            Ok(assignment) => assignment,
-            Err(error) => {
-                source.error(entry.node.span().start, format!("{name}: {error}"));
-                return None;
-            }
-        };
+        let assignment =
+            match target.assign(if value == "true" || value == "false" { bit(&value) } else { &value }) {
+                Ok(assignment) => assignment,
+                Err(error) => {
+                    source.error(entry.node.span().start, format!("{name}: {error}"));
+                    return None;
+                }
+            };
         if written(&assignment).any(|(addr, mask)| input_port(addr).is_some_and(|port| drives(port, mask))) {
             let message = format!(
                 "the machine decides on {name} and would overwrite it; press a key, switch a fault, or say machine = \
@@ -220,7 +242,11 @@ impl Reader<'_> {
                 Time::Until { condition, at_least, at_most }
             }
             (None, wait) => {
-                for (node, key) in at_most.iter().map(|(n, _)| (n, "at-most")).chain(at_least.iter().map(|(n, _)| (n, "at-least"))) {
+                for (node, key) in at_most
+                    .iter()
+                    .map(|(n, _)| (n, "at-most"))
+                    .chain(at_least.iter().map(|(n, _)| (n, "at-least")))
+                {
                     source.error(node.span().start, format!("`{key}` belongs to `until`"));
                 }
                 wait.and_then(|(_, ms)| ms).map_or(Time::None, |ms| Time::Wait { ms })
@@ -231,7 +257,8 @@ impl Reader<'_> {
 
 /// Milliseconds: `500`, `"500 ms"`, `"2 s"`, `"5 cycles"`.
 fn duration(node: &Node<'_>, source: &mut Source<'_>) -> Option<u64> {
-    const FORMS: &str = "a time is a number of milliseconds, or a text such as \"2 s\" or \"5 cycles\"; at most an hour";
+    const FORMS: &str =
+        "a time is a number of milliseconds, or a text such as \"2 s\" or \"5 cycles\"; at most an hour";
     let ms = match node.get_ref() {
         DeValue::String(text) => {
             let text = text.trim();
@@ -296,7 +323,10 @@ fn ends(entry: &Entry<'_, '_>, test: &Test, source: &mut Source<'_>) -> Vec<Stri
             ends.push(name.to_owned());
         } else {
             let list = listed(&begun);
-            source.error(span.start, format!("no `never` or `always` called {name} has begun; there is: {list}"));
+            source.error(
+                span.start,
+                format!("no `never` or `always` called {name} has begun; there is: {list}"),
+            );
         }
     }
     ends
