@@ -145,6 +145,12 @@ impl Simulation {
         }
     }
 
+    /// Starts a block as the control would, beside those of the machine's part program: it begins when its turn
+    /// comes, one of central annulment at once. A block that is out of range ends as a rejection among the events.
+    pub fn start_block(&mut self, block: BlockStart) {
+        self.take_block(block);
+    }
+
     fn take_block(&mut self, block: BlockStart) {
         let mode = match block.mode {
             BlockMode::Auto => technol_runtime::BlockMode::Auto,

@@ -17,6 +17,7 @@ mod calls;
 mod code;
 mod context;
 pub mod control;
+mod coverage;
 mod debugger;
 mod decimal;
 mod equation;

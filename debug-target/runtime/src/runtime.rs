@@ -11,6 +11,7 @@ use technol_image::system;
 use crate::block::BlockCycle;
 use crate::code::Code;
 use crate::context::Context;
+use crate::coverage::Coverage;
 use crate::debugger::{
     BreakpointError, Debugger, Frame, Line, Resume, StepUntil, Stop, StopReason, call_stack,
     check_breakpoint, module_and_file,
@@ -88,6 +89,8 @@ pub struct Runtime {
     /// Operations executed in the plan in progress.
     pub(crate) spent: u64,
     pub(crate) debugger: Debugger,
+    /// Somebody counts statements.
+    pub(crate) coverage: Option<Coverage>,
 }
 
 impl Runtime {
@@ -121,6 +124,7 @@ impl Runtime {
             limits: Limits::default(),
             spent: 0,
             debugger: Debugger::new(),
+            coverage: None,
             program,
         };
         runtime.initialise_memory();

@@ -1,6 +1,7 @@
 //! The supervisor: what happens in a millisecond, and the life of the PLC (manual 5.2, 5.3).
 
 use alloc::vec::Vec;
+use core::cell::RefCell;
 
 use technol_image::op::Op;
 use technol_image::program::{ModuleKind, RegionKind, SequenceKind};
@@ -308,13 +309,23 @@ impl Runtime {
 
     /// Executes until the pass is over or held.
     fn execute(&mut self, line: Line, stoppable: bool, world: &mut World<'_>) -> Progress {
-        let Runtime { program, code, machine, debugger, main, fast, cont, .. } = self;
+        let Runtime { program, code, machine, debugger, main, fast, cont, coverage, .. } = self;
         let ctx = match line {
             Line::Main => main,
             Line::Fast => fast,
             Line::Cont => cont,
         };
-        let exit = if stoppable && debugger.is_watching() {
+        let exit = if let Some(coverage) = coverage {
+            let counted = RefCell::new(coverage);
+            let watch = |machine: &_, ctx: &Context| {
+                let stop = || debugger.reason_to_stop(program, code, machine, ctx);
+                let reason = if stoppable { stop() } else { None };
+                // Nobody asks again when a statement that is held before is resumed: it counts once.
+                counted.borrow_mut().hit(ctx.pc);
+                reason
+            };
+            run_watched(program, code, machine, ctx, world, &watch)
+        } else if stoppable && debugger.is_watching() {
             let watch = |machine: &_, ctx: &_| debugger.reason_to_stop(program, code, machine, ctx);
             run_watched(program, code, machine, ctx, world, &watch)
         } else {
