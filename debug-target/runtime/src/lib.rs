@@ -31,6 +31,7 @@ mod ports;
 mod registers;
 mod runtime;
 mod sequence;
+mod state_hash;
 mod supervisor;
 mod timing;
 mod validate;
