@@ -27,7 +27,8 @@ fn list(errors: &[ConfigError]) -> String {
 }
 
 /// A program that runs against a simulated machine, millisecond by millisecond. Deterministic: what happens
-/// depends only on the calls made.
+/// depends only on the calls made, so a clone is a saved state: it goes on as the original would.
+#[derive(Clone, Debug)]
 pub struct Simulation {
     runtime: Runtime,
     plant: Plant,
@@ -87,6 +88,15 @@ impl Simulation {
     /// The machine, for its faults and keys.
     pub fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// A number that two simulations of the same program and machine share when they go on the same way from here.
+    pub fn state_hash(&self) -> u64 {
+        let Simulation { runtime, plant, inputs, moved, starting, waiting, handed } = self;
+        // Only equality matters, and both halves are mixed already.
+        let rest = format!("{inputs:?} {moved:?} {starting} {waiting:?} {handed}");
+        let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
     }
 
     /// Input ports as the PLC will see them.

@@ -33,6 +33,7 @@ mod ports;
 mod registers;
 mod runtime;
 mod sequence;
+mod state_hash;
 mod supervisor;
 mod texts;
 mod timing;

@@ -200,7 +200,7 @@ impl Runtime {
         self.machine.done_seen = 0;
         self.machine.state_since.fill(0);
         self.plc_events.clear();
-        (self.main, self.fast, self.cont) = (Context::new(), Context::new(), Context::new());
+        [&mut self.main, &mut self.fast, &mut self.cont].into_iter().for_each(Context::reset);
         self.outputs.fill(0);
         self.spent = 0;
         self.fault = None;
@@ -325,8 +325,10 @@ impl Runtime {
                 reason
             };
             run_watched(program, code, machine, ctx, world, &watch)
-        } else if stoppable && debugger.is_watching() {
-            let watch = |machine: &_, ctx: &_| debugger.reason_to_stop(program, code, machine, ctx);
+        } else if debugger.is_watching(stoppable) {
+            let watch = |machine: &_, ctx: &_| {
+                if stoppable { debugger.reason_to_stop(program, code, machine, ctx) } else { None }
+            };
             run_watched(program, code, machine, ctx, world, &watch)
         } else {
             run(program, code, machine, ctx, world, stoppable)
@@ -351,8 +353,8 @@ impl Runtime {
     }
 
     fn enter_faulted(&mut self, kind: FaultKind, line: Line, events: &mut Vec<RuntimeEvent>) {
-        let ctx = self.context(line).clone();
-        let (module, file) = module_and_file(&self.program, &ctx);
+        let ctx = self.line(line);
+        let (module, file) = module_and_file(&self.program, ctx);
         let sequence = self.code.sequence_of(ctx.outermost());
         let fault = Fault { kind, pc: ctx.pc, sequence, module, file, cycle: self.cycle() };
         self.fault = Some(fault);

@@ -172,7 +172,7 @@ fn watching_runs_again_after_a_change_of_program_or_test() {
             }
         }
     });
-    let mut until = |wanted: &str| loop {
+    let until = |wanted: &str| loop {
         let line = lines.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|e| panic!("{wanted}: {e}"));
         if line.contains(wanted) {
             return;
