@@ -24,7 +24,7 @@ mod turret;
 pub use block::{BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use motion::{Cells, Motion};
 pub use drive::Outputs;
+pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};

@@ -141,6 +141,8 @@ places! { CELLS: Addr;
     FEED_PERCENT: "PRF" = 0x4a79;
     /// BZH13: BYTE, number of a real-time error.
     ERROR_NUMBER: "BZH13" = 0x1353;
+    /// POS_SPACE_PLC: BYTE, 0 to 6.
+    JOG_SPACE: "POS_SPACE_PLC" = 0x081a;
     /// EXT_FEED_AUTMAN: WORD, mm/min.
     EXTERNAL_FEED: "EXT_FEED_AUTMAN" = 0x0c89;
     /// EXT_FEED_G00_AUTMAN: WORD, mm/min.

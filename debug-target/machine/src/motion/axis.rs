@@ -6,6 +6,8 @@ use super::units::TICK;
 
 /// Spaces of coordinates: POS0, behind interpolation, to POS6, the machine.
 pub(crate) const SPACES: usize = 7;
+/// Servo loops that an axis may have.
+pub(crate) const SERVOS: usize = 4;
 /// A position error smaller than this has gone: 0.01 µm.
 const SETTLED: f64 = 0.01;
 
@@ -40,6 +42,10 @@ pub(crate) struct Axis {
     /// The demanded position in each space, as the control knows it.
     pub(crate) coordinates: [f64; SPACES],
     pub(crate) work: Work,
+    /// How far each of its servo loops is ahead of it in the machine…
+    pub(crate) skew: [f64; SERVOS],
+    /// …and how far it was when they were levelled.
+    level: [f64; SERVOS],
     /// Its cells hold what it is, and nothing changes any more.
     pub(crate) settled: bool,
 }
@@ -54,6 +60,8 @@ impl Axis {
             settings,
             coordinates: [0.0; SPACES],
             work: Work::Free,
+            skew: [0.0; SERVOS],
+            level: [0.0; SERVOS],
             settled: false,
         }
     }
@@ -77,6 +85,25 @@ impl Axis {
     pub(crate) fn set_zero(&mut self, machine: f64, value: f64) {
         self.coordinates = [value + self.ramp.position - machine; SPACES];
         self.settled = false;
+    }
+
+    /// These servo loops (a bit each) do not take part in the last movement of the axis.
+    pub(crate) fn stand(&mut self, loops: u8, way: f64) {
+        for (nth, skew) in self.skew.iter_mut().enumerate() {
+            if loops >> nth & 1 != 0 {
+                *skew -= way;
+            }
+        }
+    }
+
+    /// Its servo loops count as level where they are.
+    pub(crate) fn level(&mut self) {
+        self.level = self.skew;
+    }
+
+    /// How far a servo loop is ahead, as the control knows it.
+    pub(crate) fn ahead(&self, nth: usize) -> f64 {
+        self.skew[nth] - self.level[nth]
     }
 
     /// The difference counter.

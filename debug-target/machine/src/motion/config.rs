@@ -169,6 +169,8 @@ pub struct Switch {
     pub from: Option<Thousandths>,
     /// Up to here; without it to anywhere.
     pub to: Option<Thousandths>,
+    /// Servo loop (one of those of the axis) on whose side it is; without it that of the axis as a whole.
+    pub servo: Option<u8>,
     /// It is off there and on elsewhere.
     #[serde(default)]
     pub invert: bool,

@@ -8,30 +8,48 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use technol_image::system::motion as place;
+use crate::config::MachineConfig;
 
 pub mod config;
 
 mod axis;
 mod cells;
+mod drive;
+mod feed;
 mod gate;
+mod homing;
+mod instructions;
+mod jog;
 mod number;
+mod output;
+mod path;
 mod publish;
 mod ramp;
-mod settings;
+mod run;
+pub(crate) mod settings;
 mod signals;
+pub(crate) mod spindle;
+pub(crate) mod switch;
 mod unit;
 mod units;
 
 pub use cells::Cells;
+pub use instructions::SpiAx;
+pub use jog::Direction;
 pub use number::Thousandths;
+pub use output::{Analog, PORTS, Role};
+pub use path::{BlockMove, BlockState, Hold};
 pub use unit::{PosControl, PosMode};
 
 use axis::{Axis, Work};
-use gate::Gate;
-pub(crate) use settings::check;
+use feed::Feed;
+use jog::Jog;
+use output::Outputs;
+use path::Path;
+use run::Run;
 use settings::AxisSettings;
-use signals::{Signals, has, put};
+use signals::{Signals, put};
+use spindle::Spindle;
 use unit::Unit;
 
 /// Axes of the control.
@@ -56,6 +74,8 @@ pub enum Refused {
     NotHeld,
     /// The ramp is zero.
     NoRamp,
+    /// No output is chosen, or the axis does not work as spindle.
+    NoOutput,
 }
 
 impl fmt::Display for Refused {
@@ -67,6 +87,9 @@ impl fmt::Display for Refused {
             Refused::TooMany => "the program holds 6 axes already; give one back with POS_RESET",
             Refused::NotHeld => "the program does not hold the axis; take it with POS_INIT",
             Refused::NoRamp => "the ramp is 0; give an acceleration of 1 mm/s² or more",
+            Refused::NoOutput => {
+                "no output is chosen by ANALOG_PORT, or the axis does not work as spindle (AX_SPI)"
+            }
         })
     }
 }
@@ -78,138 +101,164 @@ impl core::error::Error for Refused {}
 pub struct Motion {
     axes: Vec<Axis>,
     units: Vec<Unit>,
+    runs: Vec<Option<Run>>,
+    jog: Jog,
+    path: Option<Path>,
+    block: BlockState,
+    hold: Hold,
+    /// Axes whose reference the operator has asked for and that have not begun.
+    wanted: u16,
+    outputs: Outputs,
+    /// Spindles 1 and 2.
+    spindles: [Spindle; 2],
+    feed_percent: u8,
+    speed_percent: u8,
 }
 
 impl Motion {
-    /// Axes at rest where their descriptions say; one that is not described has the usual values. Descriptions are
-    /// checked with the machine ([`Plant::compile`](crate::Plant::compile)).
+    /// Axes at rest where their descriptions say, spindles that stand; what is not described has the usual values.
+    /// Descriptions are checked with the machine ([`Plant::compile`](crate::Plant::compile)).
     #[must_use]
-    pub fn new(axes: &[config::Axis]) -> Motion {
+    pub fn new(machine: &MachineConfig) -> Motion {
         let usual = config::Axis::default();
         let axis = |index: u8| {
-            let described = axes.iter().find(|axis| axis.number == index + 1).unwrap_or(&usual);
+            let described = machine.axis.iter().find(|axis| axis.number == index + 1).unwrap_or(&usual);
             Axis::new(AxisSettings::new(described, index))
         };
-        Motion { axes: (0..AXES as u8).map(axis).collect(), units: (0..AXES).map(|_| Unit::default()).collect() }
+        let usual = config::Spindle::default();
+        let spindle =
+            |number: u8| Spindle::new(machine.spindle.iter().find(|s| s.number == number).unwrap_or(&usual));
+        Motion {
+            axes: (0..AXES as u8).map(axis).collect(),
+            units: (0..AXES).map(|_| Unit::default()).collect(),
+            runs: (0..AXES).map(|_| None).collect(),
+            jog: Jog::default(),
+            path: None,
+            block: BlockState::None,
+            hold: Hold::Go,
+            wanted: 0,
+            outputs: Outputs::default(),
+            spindles: [spindle(1), spindle(2)],
+            feed_percent: 100,
+            speed_percent: 100,
+        }
     }
 
-    /// The PLC starts: all cells are written anew. With `cold` the axes are where they were at first, without
-    /// reference; else they stay, and what the program had in hand is given back.
+    /// The PLC starts: all cells are written anew, and what the program had in hand is given back. With `cold` axes and
+    /// spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
     pub fn start(&mut self, cells: &mut Cells<'_>, cold: bool) {
+        self.stand_still();
         for (index, axis) in self.axes.iter_mut().enumerate() {
-            let work = Work::Free;
-            *axis = if cold { Axis::new(axis.settings.clone()) } else { Axis { work, settled: false, ..axis.clone() } };
-            axis.ramp.velocity = 0.0;
+            if cold {
+                *axis = Axis::new(axis.settings.clone());
+            }
+            (axis.work, axis.settled) = (Work::Free, false);
             publish::settings(cells, index, axis);
         }
-        for unit in &mut self.units {
-            *unit = Unit::default();
-        }
+        self.units.iter_mut().for_each(|unit| *unit = Unit::default());
+        self.runs.iter_mut().for_each(|run| *run = None);
+        self.spindles.iter_mut().for_each(Spindle::reset);
+        self.jog.end();
+        self.outputs = Outputs::default();
+        (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
     }
 
-    /// One millisecond.
+    /// One millisecond, before the inputs of the program are read.
     pub fn tick_ms(&mut self, cells: &mut Cells<'_>) {
         let signals = Signals::read(cells);
-        self.move_axes(cells, &signals);
+        let feed = Feed::read(cells, self.feed_percent);
+        self.assign(cells, &signals);
+        self.move_block(&signals, &feed);
+        self.move_axes(cells, &signals, &feed);
+        for (nth, spindle) in self.spindles.iter_mut().enumerate() {
+            let port = spindle.axis.or(spindle.port);
+            let value = port.and_then(|port| self.outputs.values.get(port)).copied().unwrap_or(0);
+            spindle.tick(cells, nth == 0, value, self.speed_percent);
+        }
         self.tell(cells, &signals);
     }
 
-    fn move_axes(&mut self, cells: &mut Cells<'_>, signals: &Signals) {
-        for index in 0..self.axes.len() {
-            self.units[index].tick_pulse(cells);
-            if self.axes[index].work == Work::Free && self.axes[index].settled {
-                continue;
-            }
-            let gate = self.gate(index, signals);
-            let (axis, unit) = (&mut self.axes[index], &mut self.units[index]);
-            match axis.work {
-                Work::Unit => unit.tick(cells, axis, &gate),
-                _ => {}
-            }
-            if !axis.follow(has(signals.closed, index)) {
-                unit.fail();
-                cells.set_byte(place::ERROR_NUMBER, DIFFERENCE_ERROR);
-                let mut homing = cells.word(place::HOMING);
-                put(&mut homing, index, false);
-                cells.set_word(place::HOMING, homing);
-            }
-            if axis.work == Work::Unit && !unit.held && axis.ramp.velocity == 0.0 {
-                axis.work = Work::Free;
-            }
-            publish::position(cells, index, axis);
-            for servo in axis.settings.servos.iter().copied() {
-                publish::servo(cells, servo, axis, 0.0);
-            }
-            axis.settled = axis.rests();
+    /// A block of the part program moves its axes, as soon as it is not held. An axis that something else moves, or that
+    /// the program holds, is [`Refused::Busy`]; then nothing moves.
+    pub fn begin_block(&mut self, block: &BlockMove) -> Result<(), Refused> {
+        if self.path.is_some() {
+            return Err(Refused::Busy);
         }
-    }
-
-    /// Limits of an axis in this tick.
-    fn gate(&self, index: usize, signals: &Signals) -> Gate {
-        Gate { stop: has(signals.limit_plus | signals.limit_minus, index), ..Gate::OPEN }
-    }
-
-    /// Bits that tell what the axes do.
-    fn tell(&mut self, cells: &mut Cells<'_>, signals: &Signals) {
-        let (mut requested, mut negative) = (0, cells.axes(place::NEGATIVE));
-        for (index, axis) in self.axes.iter().enumerate() {
-            let wants = axis.work == Work::Unit && self.units[index].wants_motion();
-            put(&mut requested, index, wants || axis.ramp.velocity != 0.0);
-            if axis.ramp.velocity != 0.0 {
-                put(&mut negative, index, axis.ramp.velocity < 0.0);
+        for (number, _) in &block.travel {
+            if self.axes[index(*number)?].work != Work::Free {
+                return Err(Refused::Busy);
             }
         }
-        cells.set_axes(place::REQUESTED, requested);
-        cells.set_axes(place::NEGATIVE, negative);
-        let stopped = signals.limit_plus | signals.limit_minus;
-        cells.set_six(place::ENABLED, signals.enable & signals.closed & !stopped);
-    }
-
-    /// POS_INIT: the program takes an axis (1 to 16); `space` is where it moves, 0 to 6, 5 when the instruction names
-    /// none. POS_STV_ERR is set when it cannot be taken.
-    pub fn pos_init(&mut self, cells: &mut Cells<'_>, axis: u8, space: u8) -> Result<(), Refused> {
-        let index = index(axis)?;
-        let held = (0..AXES).filter(|&n| n != index && self.units[n].held).count();
-        let refused = match self.axes[index].work {
-            Work::Free | Work::Unit => match () {
-                () if !cells.bit(place::LOOP_CLOSED.of(axis - 1)) => Some(Refused::LoopOpen),
-                () if held >= HELD_AT_ONCE => Some(Refused::TooMany),
-                () => None,
-            },
-            _ => Some(Refused::Busy),
-        };
-        if let Some(refused) = refused {
-            self.units[index].error = true;
-            return Err(refused);
+        self.path = Path::new(block, &self.axes);
+        self.block = if self.path.is_some() { BlockState::Moving } else { BlockState::Done };
+        let mask = self.path.as_ref().map_or(0, Path::mask);
+        for (index, axis) in self.axes.iter_mut().enumerate() {
+            if signals::has(mask, index) {
+                axis.work = Work::Block;
+            }
         }
-        self.units[index].init(cells, &self.axes[index], space);
-        self.axes[index].work = Work::Unit;
         Ok(())
     }
 
-    /// POS_RESET: the axis belongs to the NC again, as soon as it has stopped by its ramp.
-    pub fn pos_reset(&mut self, cells: &mut Cells<'_>, axis: u8) -> Result<(), Refused> {
+    /// How the last block stands.
+    pub fn block(&self) -> BlockState {
+        self.block
+    }
+
+    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles.
+    pub fn hold(&mut self, hold: Hold) {
+        self.hold = hold;
+    }
+
+    /// No axis has a position error above its tolerance.
+    pub fn in_position(&self) -> bool {
+        self.axes.iter().all(Axis::in_tolerance)
+    }
+
+    /// Some axis moves, spindles apart.
+    pub fn moves(&self) -> bool {
+        self.axes.iter().any(|axis| axis.ramp.velocity != 0.0 && axis.work != Work::Spindle)
+    }
+
+    /// A key of the panel for manual movement: `None` is released.
+    pub fn jog_key(&mut self, axis: u8, direction: Option<Direction>) -> Result<(), Refused> {
         let index = index(axis)?;
-        self.units[index].reset(cells);
+        put(&mut self.jog.panel_plus, index, direction == Some(Direction::Plus));
+        put(&mut self.jog.panel_minus, index, direction == Some(Direction::Minus));
         Ok(())
     }
 
-    /// POS_MODE, in both forms: a motion is prepared. POS_STV_ERR is set when it cannot be.
-    pub fn pos_mode(&mut self, cells: &mut Cells<'_>, axis: u8, mode: PosMode) -> Result<(), Refused> {
-        let index = index(axis)?;
-        if !self.units[index].held {
-            self.units[index].error = true;
-            return Err(Refused::NotHeld);
-        }
-        self.units[index].mode(cells, &self.axes[index], mode);
-        if mode.accel == 0 { Err(Refused::NoRamp) } else { Ok(()) }
+    /// The key of the panel for rapid manual movement.
+    pub fn jog_rapid(&mut self, on: bool) {
+        self.jog.panel_rapid = on;
     }
 
-    /// POS_CONTROL, in both forms: speed and enable go to the unit, its state to the status record.
-    pub fn pos_control(&mut self, cells: &mut Cells<'_>, axis: u8, control: PosControl) -> Result<(), Refused> {
-        let index = index(axis)?;
-        self.units[index].control(cells, &self.axes[index], control);
-        Ok(())
+    /// Potentiometers of the panel, in per cent.
+    pub fn set_overrides(&mut self, feed: u8, speed: u8) {
+        (self.feed_percent, self.speed_percent) = (feed, speed);
+    }
+
+    /// A block programs a speed of spindle 1 in rev/min, which becomes PB11 and PB12; `automatic`: M40 is in force.
+    pub fn program_speed(&mut self, cells: &mut Cells<'_>, speed: u32, automatic: bool) {
+        self.spindles[0].program(cells, f64::from(speed), automatic);
+    }
+
+    /// Values of the analogue outputs; 7FFFh is 10 V.
+    pub fn outputs(&self) -> &[i16; PORTS] {
+        &self.outputs.values
+    }
+
+    /// Speed of a spindle (1 or 2) in rev/min, with sign.
+    pub fn spindle_speed(&self, number: u8) -> f64 {
+        self.spindles.get(usize::from(number).wrapping_sub(1)).map_or(0.0, |spindle| spindle.actual)
+    }
+
+    /// Where an axis (1 to 16) is in the machine's own coordinate, µm; `servo`: the side of one of its servo loops.
+    pub fn place(&self, axis: u8, servo: Option<u8>) -> Option<f64> {
+        let axis = &self.axes[index(axis).ok()?];
+        let Some(servo) = servo else { return Some(axis.actual) };
+        let nth = axis.settings.servos.iter().position(|own| own + 1 == servo)?;
+        Some(axis.actual + axis.skew[nth])
     }
 }
 

@@ -22,14 +22,16 @@ pub(crate) fn position(cells: &mut Cells<'_>, index: usize, axis: &Axis) {
     cells.set_dword(place::DIFFERENCE + 4 * nth, rounded_dword(axis.error()));
 }
 
-/// Position cells of one servo loop of an axis; `skew` is how far it is ahead of the axis.
-pub(crate) fn servo(cells: &mut Cells<'_>, servo: u8, axis: &Axis, skew: f64) {
-    let nth = Addr::from(servo.min(15));
-    let requested = axis.coordinates[6] + skew;
-    cells.set_dword(place::SERVO_REQUESTED + 4 * nth, rounded_dword(requested));
-    cells.set_dword(place::SERVO_MEASURED + 4 * nth, rounded_dword(requested - axis.error()));
-    let increments = (axis.actual + skew) * axis.settings.increments;
-    cells.set_dword(place::SERVO_INCREMENTS + 4 * nth, rounded_dword(increments));
+/// Position cells of the servo loops of an axis.
+pub(crate) fn servos(cells: &mut Cells<'_>, axis: &Axis) {
+    for (nth, servo) in axis.settings.servos.iter().enumerate() {
+        let at = 4 * Addr::from(*servo);
+        let requested = axis.coordinates[6] + axis.ahead(nth);
+        cells.set_dword(place::SERVO_REQUESTED + at, rounded_dword(requested));
+        cells.set_dword(place::SERVO_MEASURED + at, rounded_dword(requested - axis.error()));
+        let increments = (axis.actual + axis.skew[nth]) * axis.settings.increments;
+        cells.set_dword(place::SERVO_INCREMENTS + at, rounded_dword(increments));
+    }
 }
 
 /// What the configuration says of an axis: 1/65536 µm and milliseconds.

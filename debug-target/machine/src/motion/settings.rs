@@ -3,6 +3,7 @@
 use alloc::format;
 use alloc::vec::Vec;
 
+use super::axis::SERVOS;
 use super::config::{self, AfterRef, JogEnable, RefSwitch};
 use super::number::Thousandths;
 use super::units::{UM, per_minute};
@@ -88,7 +89,10 @@ pub(crate) fn check(axis: &config::Axis, earlier: &[config::Axis], compiler: &mu
     if !matches!(axis.ref_method, 1 | 5 | 9..=15) {
         compiler.error("ref-method", "must be 1, 5 or 9 to 15");
     }
-    if axis.servos.len() > 4 || axis.servos.iter().any(|servo| !(1..=16).contains(servo)) {
+    if matches!(axis.ref_method, 10 | 11) && axis.ref_switch == RefSwitch::None {
+        compiler.error("ref-switch", format!("method {} needs the reference switch", axis.ref_method));
+    }
+    if axis.servos.len() > SERVOS || axis.servos.iter().any(|servo| !(1..=16).contains(servo)) {
         compiler.error("servos", "needs at most 4 numbers from 1 to 16");
     }
 }

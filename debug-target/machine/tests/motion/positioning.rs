@@ -94,7 +94,11 @@ fn every_move_takes_its_time_within_a_tick_and_ends_on_the_spot() {
         assert!(error.abs() <= 0.001 + 1e-9, "{row:?}: {ticks} ms, off by {error} s");
         target += f64::from(length);
         assert!((bench.position(1, 5) - target).abs() < 1e-4, "{row:?}");
-        assert_eq!(bench.cells().byte(STATUS), 0b1000 | u8::from(length < 0) << 1, "{row:?}: stands, and is there");
+        assert_eq!(
+            bench.cells().byte(STATUS),
+            0b1000 | u8::from(length < 0) << 1,
+            "{row:?}: stands, and is there"
+        );
     }
     assert!(MOVES.iter().filter(|row| row.3.is_some()).count() >= 10);
 }

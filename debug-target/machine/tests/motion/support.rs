@@ -3,7 +3,7 @@
 use technol_image::op::{Addr, BitRef};
 use technol_image::system::{self, motion as place};
 use technol_machine::motion::{PosControl, PosMode, Refused};
-use technol_machine::{Cells, MachineConfig, Motion};
+use technol_machine::{Cells, INPUT_PORTS, MachineConfig, Motion, OUTPUT_PORTS, Plant, Signal};
 
 /// Cells of the program.
 pub(crate) const CONTROL: Addr = system::LEN;
@@ -12,6 +12,11 @@ pub(crate) const STATUS: Addr = system::LEN + 2;
 pub(crate) struct Bench {
     pub(crate) memory: Vec<u8>,
     pub(crate) motion: Motion,
+    plant: Plant,
+    pub(crate) inputs: [u8; INPUT_PORTS],
+    /// Inputs that the program copies into bits of the interface, once a cycle.
+    wires: Vec<(usize, u8, BitRef)>,
+    millis: u32,
 }
 
 /// A bit of a cell.
@@ -23,8 +28,15 @@ impl Bench {
     /// A control with this machine; its memory is as at power-on.
     pub(crate) fn new(toml: &str) -> Bench {
         let config: MachineConfig = toml::from_str(toml).unwrap();
-        let motion = Motion::new(&config.axis);
-        let mut bench = Bench { memory: vec![0; system::LEN as usize + 64], motion };
+        let plant = Plant::compile(&config, &|name| name.parse().ok()).unwrap();
+        let mut bench = Bench {
+            memory: vec![0; system::LEN as usize + 64],
+            motion: Motion::new(&config),
+            plant,
+            inputs: [0; INPUT_PORTS],
+            wires: Vec::new(),
+            millis: 0,
+        };
         let mut cells = Cells::new(&mut bench.memory);
         cells.set_axes(place::ENABLE, 0xFFFF);
         cells.set_axes(place::LOOP_CLOSED, 0xFFFF);
@@ -48,7 +60,23 @@ impl Bench {
     }
 
     pub(crate) fn tick(&mut self) {
-        self.motion.tick_ms(&mut Cells::new(&mut self.memory));
+        let mut cells = Cells::new(&mut self.memory);
+        if self.millis.is_multiple_of(20) {
+            for &(port, bit, place) in &self.wires {
+                cells.set_bit(place, self.inputs[port] >> bit & 1 != 0);
+            }
+        }
+        self.motion.tick_ms(&mut cells);
+        self.plant.place_axes(&self.motion);
+        self.plant.step(&[0; OUTPUT_PORTS], &mut self.inputs);
+        self.millis += 1;
+    }
+
+    /// The program copies an input into a bit.
+    pub(crate) fn wire(mut self, input: &str, place: BitRef) -> Bench {
+        let Ok(Signal::Input { port, bit }) = input.parse() else { panic!("{input}") };
+        self.wires.push((usize::from(port), bit, place));
+        self
     }
 
     pub(crate) fn run(&mut self, millis: u32) {
