@@ -82,9 +82,9 @@ impl Gate {
         let (greatest, end) = if way < 0.0 { (self.speed.minus, low) } else { (self.speed.plus, high) };
         match goal {
             Goal::Position { target, speed, approach } => {
-                let target_there = target.clamp(low, high);
-                let cut = target_there != target;
-                (Goal::Position { target: target_there, speed: speed.min(greatest), approach }, accel, cut)
+                let cut = !(low..=high).contains(&target);
+                let target = target.clamp(low, high);
+                (Goal::Position { target, speed: speed.min(greatest), approach }, accel, cut)
             }
             Goal::Velocity(wanted) if wanted != 0.0 && end.is_finite() => {
                 let speed = wanted.abs().min(greatest);

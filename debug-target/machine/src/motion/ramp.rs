@@ -87,6 +87,7 @@ fn before_approach(rest: f64, approach: f64, accel: f64) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // exact results are what is tested
 mod tests {
     use super::*;
 

@@ -285,7 +285,7 @@ fn pulse_between(axis: &Axis) -> Option<f64> {
     let nth = |position: f64| {
         let number = (position - at) / distance;
         let whole = number as i64;
-        if number < 0.0 && whole as f64 != number { whole - 1 } else { whole }
+        if number < whole as f64 { whole - 1 } else { whole }
     };
     let (before, after) = (nth(axis.previous), nth(axis.actual));
     (before != after).then(|| at + before.max(after) as f64 * distance)

@@ -50,6 +50,7 @@ pub(crate) fn root(value: f64) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // exact results are what is tested
 mod tests {
     extern crate std;
 
