@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use crate::block::BlockMode;
 use crate::drive::Outputs;
+use crate::motion::config::{Axis, Spindle};
 
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -25,6 +26,10 @@ pub struct MachineConfig {
     pub encoder: Vec<Encoder>,
     /// `[[turret]]`.
     pub turret: Vec<Turret>,
+    /// `[[axis]]`.
+    pub axis: Vec<Axis>,
+    /// `[[spindle]]`.
+    pub spindle: Vec<Spindle>,
     /// `[[key]]`.
     pub key: Vec<Key>,
     /// `[[fault]]`.

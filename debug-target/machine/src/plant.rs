@@ -15,6 +15,8 @@ use crate::encoder::Encoder;
 use crate::fault::Fault;
 use crate::key::Key;
 use crate::limit::Limit;
+use crate::motion::switch::AxisSwitch;
+use crate::motion::{self, Motion};
 use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
 use crate::turret::Turret;
 
@@ -57,6 +59,7 @@ pub struct Plant {
     limits: Vec<Limit>,
     encoders: Vec<Encoder>,
     turrets: Vec<Turret>,
+    switches: Vec<AxisSwitch>,
     keys: Vec<Key>,
     faults: Vec<Fault>,
     programs: Vec<Program>,
@@ -93,6 +96,17 @@ impl Plant {
         for (index, element) in config.turret.iter().enumerate() {
             compiler.enter("turret", Some(index));
             plant.turrets.push(Turret::compile(element, &mut compiler));
+        }
+        for (index, axis) in config.axis.iter().enumerate() {
+            compiler.enter("axis", Some(index));
+            motion::settings::check(axis, &config.axis[..index], &mut compiler);
+            for switch in &axis.switch {
+                plant.switches.extend(AxisSwitch::compile(axis, switch, &mut compiler));
+            }
+        }
+        for (index, spindle) in config.spindle.iter().enumerate() {
+            compiler.enter("spindle", Some(index));
+            motion::spindle::check(spindle, &config.spindle[..index], &mut compiler);
         }
         for (index, key) in config.key.iter().enumerate() {
             compiler.enter("key", Some(index));
@@ -140,6 +154,9 @@ impl Plant {
         for turret in &mut self.turrets {
             turret.step(&outputs, inputs);
         }
+        for switch in &self.switches {
+            switch.step(inputs);
+        }
         for key in &self.keys {
             key.step(inputs);
         }
@@ -153,6 +170,13 @@ impl Plant {
         }
         self.millis += 1;
         events
+    }
+
+    /// The axes are where they are now; their switches follow in the next [`Plant::step`].
+    pub fn place_axes(&mut self, motion: &Motion) {
+        for switch in &mut self.switches {
+            switch.place(motion);
+        }
     }
 
     /// The PLC starts: `at-cycle` counts from here. With `cold` every element is where it was at first; faults
