@@ -15,6 +15,7 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
         fast_inputs: _,
         fast_outputs: _,
         // Looking at a program does not change what it does.
+        coverage: _,
         debugger: _,
         machine,
         main,
