@@ -151,6 +151,7 @@ impl<'a> Disassembler<'a> {
             Op::RloToDr(width) => format!("CONRD{}", width_keyword(*width)),
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
+            Op::SelectBlock { offset, len } => format!("{{BLK[BX]: {len} bytes at {offset}}}"),
             other => format!("{other:?}"),
         }
     }
