@@ -154,7 +154,7 @@ impl Simulation {
             self.runtime.command(Command::AbortBlock);
         }
         let BlockStart { m, s, t, h, motion_ms, rapid, .. } = block;
-        self.waiting.push_back(Block { m, t, s, h, motion_ms, rapid, mode });
+        self.waiting.push_back(Block { m, t, s, h, motion_ms, rapid, mode, prepared: None });
     }
 
     fn hand_over_blocks(&mut self) {
