@@ -164,6 +164,22 @@ pub mod block_record {
     pub const BLOCK_LEN: u32 = 288;
 }
 
+/// Group of the M functions that have a fixed one (manual 8.2.1).
+#[must_use]
+pub const fn m_group(m: u8) -> Option<u8> {
+    Some(match m {
+        0 | 1 | 2 | 30 => 1,
+        3 | 4 | 5 | 19 => 2,
+        40..=44 => 3,
+        7 | 8 | 9 | 17 => 5,
+        50..=53 => 6,
+        10 | 11 => 7,
+        48 | 49 => 8,
+        6 | 60 => 9,
+        _ => return None,
+    })
+}
+
 /// Event codes of `_ON_EVENT` (DR on entry).
 pub mod event {
     /// Stop requested.

@@ -54,6 +54,11 @@ pub enum Command {
     StartBlock(Block),
     /// Start after a stop: the stopped block goes on, or the program behind M00.
     ContinueBlock,
+    /// The STOP key or the emergency stop of the control: as STOP_REQ and STOP_EMERGENCY_REQ of the program.
+    StopBlock {
+        /// Emergency stop.
+        emergency: bool,
+    },
     /// Central annulment: breaks the block and forgets queued ones.
     AbortBlock,
     /// Calls the procedure `_ON_EVENT` with this code in DR in the next cycle; at most 16 calls are queued.

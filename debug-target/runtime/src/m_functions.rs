@@ -3,7 +3,7 @@
 use core::fmt;
 
 use technol_image::op::{Addr, BitRef};
-use technol_image::system;
+use technol_image::system::{self, m_group};
 
 use crate::decimal::to_bcd;
 use crate::memory::Memory;
@@ -12,21 +12,6 @@ use crate::memory::Memory;
 const COUNT: usize = 100;
 /// Highest group; functions that nobody puts elsewhere belong to it.
 const OTHERS: u8 = 14;
-
-/// Group of the M functions that have a fixed one.
-const fn fixed(m: u8) -> Option<u8> {
-    Some(match m {
-        0 | 1 | 2 | 30 => 1,
-        3 | 4 | 5 | 19 => 2,
-        40..=44 => 3,
-        7 | 8 | 9 | 17 => 5,
-        50..=53 => 6,
-        10 | 11 => 7,
-        48 | 49 => 8,
-        6 | 60 => 9,
-        _ => return None,
-    })
-}
 
 /// An M function cannot be put into that group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +25,7 @@ pub struct GroupError {
 impl fmt::Display for GroupError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let GroupError { m, group } = *self;
-        match fixed(m) {
+        match m_group(m) {
             _ if usize::from(m) >= COUNT => write!(f, "there is no M{m}; M functions go from 0 to 99"),
             Some(own) if own != group => write!(f, "M{m:02} belongs to group {own} and cannot be moved"),
             _ => write!(f, "there is no group {group}; M functions have groups 1 to {OTHERS}"),
@@ -57,14 +42,14 @@ pub(crate) struct Groups([u8; COUNT]);
 impl Groups {
     /// The fixed groups; all other functions are in group 14.
     pub(crate) fn new() -> Groups {
-        Groups(core::array::from_fn(|m| fixed(m as u8).unwrap_or(OTHERS)))
+        Groups(core::array::from_fn(|m| m_group(m as u8).unwrap_or(OTHERS)))
     }
 
     /// The fixed groups and those given as pairs of function and group.
     pub(crate) fn with(groups: &[(u8, u8)]) -> Result<Groups, GroupError> {
         let mut table = Groups::new();
         for &(m, group) in groups {
-            let free = fixed(m).is_none_or(|own| own == group);
+            let free = m_group(m).is_none_or(|own| own == group);
             let place = table.0.get_mut(usize::from(m));
             *place.filter(|_| free && (1..=OTHERS).contains(&group)).ok_or(GroupError { m, group })? = group;
         }

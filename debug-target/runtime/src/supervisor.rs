@@ -120,6 +120,10 @@ impl Runtime {
                     self.queue_event(system::event::START_REQ);
                 }
             }
+            Command::StopBlock { emergency } => {
+                let request = if emergency { system::STOP_EMERGENCY_REQ } else { system::STOP_REQ };
+                self.machine.memory.set_flag(request, self.state.is_cycling());
+            }
             Command::AbortBlock => {
                 self.machine.memory.set_flag(system::AUTPI, false);
                 self.machine.memory.set_flag(system::CAPI, true);
