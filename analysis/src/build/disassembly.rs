@@ -13,6 +13,9 @@ use technol_image::op::{
 use technol_image::program::{Message, Program, SequenceKind, Timed};
 use technol_image::service::{Arg, ServiceCall};
 
+use technol_image::system::BLOCK_WINDOW;
+
+use super::block_names;
 use super::debug_info::memory_of;
 
 /// Writes operations of one program with its names.
@@ -152,6 +155,7 @@ impl<'a> Disassembler<'a> {
             Op::RloToDr(width) => format!("CONRD{}", width_keyword(*width)),
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
+            Op::SelectBlock { offset, len } => format!("{{BLK[BX]: {len} bytes at {offset}}}"),
             other => format!("{other:?}"),
         }
     }
@@ -254,7 +258,11 @@ impl<'a> Disassembler<'a> {
     pub fn bit(&self, bit: &BitRef) -> String {
         match self.bits.get(&(bit.addr, bit.bit)) {
             Some(name) if !bit.indexed => (*name).to_owned(),
+            _ if bit.addr == BLOCK_WINDOW => format!("{{BLK[BX]}}.{}", bit.bit),
             _ => {
+                if let Some(name) = block_names::bit(bit.addr, bit.bit) {
+                    return name;
+                }
                 let place = Place { addr: bit.addr, indexed: bit.indexed };
                 format!("{}.{}", self.area(place), bit.bit)
             }
@@ -271,6 +279,12 @@ impl<'a> Disassembler<'a> {
 
     /// A cell as text, with a prefix when its declared type is another one.
     fn place(&self, place: Place, width: Width) -> String {
+        if place.addr == BLOCK_WINDOW {
+            return format!("{{BLK[BX]}}.{}", prefix(width));
+        }
+        if let Some((number, name)) = block_names::cell(place.addr) {
+            return format!("BLK[{number}].{}.{name}", prefix(width));
+        }
         let declared = self.cells.get(&place.addr).and_then(|cell| cell.width);
         let name = self.area(place);
         if declared == Some(width) { name } else { format!("{}.{name}", prefix(width)) }

@@ -8,7 +8,7 @@ use technol_image::program::{Message, Timed};
 use technol_image::service::{Service, ServiceCall};
 
 use super::mnemonic::{Form, form};
-use super::operands::keyword_width;
+use super::operands::{block_selection, keyword_width};
 use super::section_code::{ClearRange, LineProblem, NestedCode, ProblemKind, ResumePoint, SectionCode};
 use crate::catalogue::EntryKind;
 use crate::semantics::hir::{Body, Instruction, Operand, StatementKind};
@@ -102,9 +102,8 @@ impl Lowering {
             }
             return;
         };
-        if instruction.operands.iter().any(|operand| matches!(operand, Operand::Block { .. })) {
-            self.problem(ProblemKind::NotExecutable("BLK[n], the prepared blocks".to_owned()));
-            return;
+        if let Some(selection) = instruction.operands.first().and_then(block_selection) {
+            self.emit(selection);
         }
         let operands = Operands { name: entry.name, list: &instruction.operands };
         if let Err(problem) = self.translate(form, instruction.push, &operands) {

@@ -168,6 +168,7 @@ impl Relocation<'_> {
         match self.code.slots.get(slot as usize) {
             Some(Slot::Counter(n)) => Ok((self.counters + n * 2, None)),
             Some(Slot::State(n)) => Ok((self.states + n, None)),
+            Some(Slot::Fixed(addr)) => Ok((*addr, None)),
             Some(Slot::Symbol { key, offset }) => {
                 let found = self.addresses.symbol(key);
                 let found = found.ok_or_else(|| ProblemKind::NoAddress(key.name.to_string()))?;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use technol_image::op::Op;
+use technol_image::op::{Addr, Op};
 use technol_image::program::{Message, Timed};
 use technol_image::service::ServiceCall;
 
@@ -83,6 +83,8 @@ pub enum Slot {
     Counter(u32),
     /// Hidden state byte number n of the section.
     State(u32),
+    /// An address of the system region: a member of a prepared block.
+    Fixed(Addr),
 }
 
 /// The place of a nested section.

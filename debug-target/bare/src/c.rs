@@ -145,6 +145,7 @@ extern "C" fn technol_start_block(plc: &mut Plc, block: &CBlock) {
             2 => BlockMode::Reference,
             _ => BlockMode::Other,
         },
+        prepared: None,
     }));
 }
 

@@ -19,6 +19,7 @@ use crate::event::RuntimeEvent;
 use crate::fault::FaultKind;
 use crate::memory::Memory;
 use crate::operands;
+use crate::prepared;
 use crate::registers::{Registers, sign_extend};
 use crate::sequence;
 use crate::texts;
@@ -334,6 +335,7 @@ fn cold(
         }
         Op::Clear { addr, len } => memory.fill(*addr as usize, *len as usize, 0),
         Op::IndexFromDr => regs.bx = u32::from(regs.dr as u16),
+        Op::SelectBlock { offset, len } => prepared::select(memory, regs.bx, *offset, *len),
         Op::InitFinished(file) => machine.init_seen |= 1 << file,
         Op::DoneFinished(file) => machine.done_seen |= 1 << file,
         Op::Call(procedure) => return calls::call(program, ctx, *procedure, None),

@@ -20,12 +20,14 @@ use crate::event::{Command, PlcState};
 use crate::execute::Machine;
 use crate::fault::Fault;
 use crate::load_error::LoadError;
+use crate::m_functions::{Gear, GroupError, Groups};
 use crate::memory::{AccessError, Memory};
 use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
 use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
 use crate::state_hash;
+use crate::supervisor::PlcEvent;
 use crate::validate::validate;
 
 /// Commands that a host may give between two ticks without memory being asked for.
@@ -84,8 +86,10 @@ pub struct Runtime {
     /// DR on entry of MODULE_INIT and MODULE_DONE.
     pub(crate) entry_dr: i64,
     pub(crate) block: BlockCycle,
-    /// Codes for `_ON_EVENT`.
-    pub(crate) plc_events: VecDeque<i64>,
+    /// Calls of `_ON_EVENT` and `_ON_CMD` that wait.
+    pub(crate) plc_events: VecDeque<PlcEvent>,
+    /// Outputs with a short circuit.
+    pub(crate) shorted: OutputImage,
     pub(crate) outputs: OutputImage,
     pub(crate) fast_inputs: Vec<usize>,
     pub(crate) fast_outputs: Vec<usize>,
@@ -122,6 +126,7 @@ impl Runtime {
             entry_dr: 0,
             block: BlockCycle::new(),
             plc_events: VecDeque::with_capacity(QUEUE_LEN),
+            shorted: [0; system::OUT_PORT_COUNT as usize],
             outputs: [0; system::OUT_PORT_COUNT as usize],
             fast_inputs: Vec::new(),
             fast_outputs: Vec::new(),
@@ -200,6 +205,32 @@ impl Runtime {
         }
         self.plans = Plans::new(&self.program, usize::from(1000 / micros));
         Ok(())
+    }
+
+    /// Puts M functions into groups, as the element MFunctions of the configuration does: pairs of function and
+    /// group. All others are in their fixed group, or in group 14. Holds from the next block on.
+    ///
+    /// # Errors
+    /// The first pair that is out of range or moves a function out of its fixed group; nothing changes then.
+    pub fn set_m_groups(&mut self, groups: &[(u8, u8)]) -> Result<(), GroupError> {
+        self.block.groups = Groups::with(groups)?;
+        Ok(())
+    }
+
+    /// The gears of the spindle, lowest first; M41 to M44 choose one, M40 leaves that to the programmed speed.
+    pub fn set_gears(&mut self, gears: &[Gear]) {
+        self.block.gears = gears.to_vec();
+    }
+
+    /// M01 stops the program like M00.
+    pub fn set_conditional_stop(&mut self, stops: bool) {
+        self.block.conditional_stop = stops;
+    }
+
+    /// Outputs that have a short circuit now, one bit each. The control switches a driven one off and reports it in
+    /// ERRLI_P0OUT …, until the program clears the bit there (manual 9.3).
+    pub fn set_shorted(&mut self, outputs: &OutputImage) {
+        self.shorted = *outputs;
     }
 
     /// Replaces all break-points; one result for each. A break-point holds the program before its statement.

@@ -28,6 +28,7 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
         entry_dr,
         block,
         plc_events,
+        shorted,
         outputs,
         spent,
     } = runtime;
@@ -35,6 +36,7 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
     let mut hash = Fnv::new();
     hash.add(memory.bytes());
     hash.add(outputs);
+    hash.add(shorted);
     for ctx in [main, fast, cont] {
         let crate::registers::Registers { rlo, dr, dr_real, bx, stack, depth } = ctx.regs;
         hash.add(&[u8::from(rlo), stack, depth]);

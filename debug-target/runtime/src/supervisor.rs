@@ -22,6 +22,14 @@ use crate::sequence;
 
 /// Messages the control may report by itself in a cycle; the others wait for the next.
 const MESSAGES_PER_CYCLE: usize = 16;
+/// A call of an event procedure that waits for its cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlcEvent {
+    /// `_ON_EVENT` with this code.
+    Event(i64),
+    /// `_ON_CMD` with code and key.
+    Command { code: i32, pressed: bool },
+}
 
 /// How far a job came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,15 +131,26 @@ impl Runtime {
                 };
                 if let Err(rejection) = accepted {
                     events.push(RuntimeEvent::BlockRejected(rejection));
+                } else if self.block.request_start(&mut self.machine.memory) {
+                    self.queue_event(system::event::START_REQ);
                 }
             }
-            Command::ContinueBlock => self.block.restart(&mut self.machine.memory),
+            Command::ContinueBlock => {
+                if self.block.request_restart(&mut self.machine.memory) {
+                    self.queue_event(system::event::START_REQ);
+                }
+            }
+            Command::StopBlock { emergency } => {
+                let request = if emergency { system::STOP_EMERGENCY_REQ } else { system::STOP_REQ };
+                self.machine.memory.set_flag(request, self.state.is_cycling());
+            }
             Command::AbortBlock => {
                 self.machine.memory.set_flag(system::AUTPI, false);
                 self.machine.memory.set_flag(system::CAPI, true);
                 self.abort_block(events);
             }
             Command::Event(code) => self.queue_event(code),
+            Command::PlcCommand { code, pressed } => self.queue_call(PlcEvent::Command { code, pressed }),
         }
         None
     }
@@ -263,7 +282,7 @@ impl Runtime {
             }
             Job::Outputs => {
                 world.control.outputs(Rate::Slow, millis, memory.bytes_mut());
-                ports::copy_outputs(memory, &mut self.outputs);
+                ports::copy_outputs(memory, &mut self.outputs, &self.shorted);
                 self.take_messages(world);
             }
             Job::FastInputs => {
@@ -275,7 +294,7 @@ impl Runtime {
             Job::FastOutputs => {
                 world.control.outputs(Rate::Fast, millis, memory.bytes_mut());
                 for port in &self.fast_outputs {
-                    ports::copy_output(memory, &mut self.outputs, *port);
+                    ports::copy_output(memory, &mut self.outputs, &self.shorted, *port);
                 }
             }
             Job::FastestInputs => world.control.inputs(Rate::Fastest, millis, memory.bytes_mut()),
@@ -367,6 +386,9 @@ impl Runtime {
 
     /// Block cycle: as far as it comes in this cycle.
     fn run_block(&mut self, world: &mut World<'_>) -> Progress {
+        if self.block.take_start(&mut self.machine.memory) {
+            self.queue_event(system::event::START);
+        }
         loop {
             match self.block.stage {
                 Stage::Idle => {
@@ -397,7 +419,9 @@ impl Runtime {
                         return Progress::Stopped;
                     }
                     if !self.is_active(SequenceKind::BlockDone) {
-                        self.block.end(&mut self.machine.memory);
+                        if self.block.finish(&mut self.machine.memory) {
+                            self.queue_event(system::event::STOP);
+                        }
                         world.events.push(RuntimeEvent::BlockFinished { cycle: self.cycle() });
                     }
                     return Progress::Done;
@@ -433,9 +457,7 @@ impl Runtime {
 
     /// Breaks the block in progress, rewinds the block modules and forgets queued blocks.
     fn abort_block(&mut self, events: &mut Vec<RuntimeEvent>) {
-        self.block.queue.clear();
-        self.machine.memory.set_word(system::CNT_NEXT_BLOCKS, 0);
-        if self.block.stage == Stage::Idle {
+        if !self.block.abort(&mut self.machine.memory) {
             return;
         }
         for kind in [SequenceKind::BlockInit, SequenceKind::BlockDone] {
@@ -443,7 +465,6 @@ impl Runtime {
                 sequence::rest(&self.program, &mut self.machine, number);
             }
         }
-        self.block.end(&mut self.machine.memory);
         events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
     }
 
@@ -456,20 +477,38 @@ impl Runtime {
         }
     }
 
-    /// Events nobody handles are dropped, and so is one beyond the bound.
     fn queue_event(&mut self, code: i64) {
-        if self.code.on_event.is_some() && self.plc_events.len() < QUEUE_LEN {
-            self.plc_events.push_back(code);
+        self.queue_call(PlcEvent::Event(code));
+    }
+
+    /// Events nobody handles are dropped, and so is one beyond the bound.
+    fn queue_call(&mut self, event: PlcEvent) {
+        if self.handler(event).is_some() && self.plc_events.len() < QUEUE_LEN {
+            self.plc_events.push_back(event);
+        }
+    }
+
+    fn handler(&self, event: PlcEvent) -> Option<u16> {
+        match event {
+            PlcEvent::Event(_) => self.code.on_event,
+            PlcEvent::Command { .. } => self.code.on_cmd,
         }
     }
 
     fn run_events(&mut self, world: &mut World<'_>) -> Progress {
-        let Some(procedure) = self.code.on_event else { return Progress::Done };
-        let start = self.program.procedures[usize::from(procedure)].start;
         loop {
             if !self.position.is_some_and(|p| p.entered) {
-                let Some(code) = self.plc_events.pop_front() else { return Progress::Done };
-                self.enter(Line::Main, Root::Procedure, start, Some(code));
+                let Some(event) = self.plc_events.pop_front() else { return Progress::Done };
+                let Some(procedure) = self.handler(event) else { continue };
+                let start = self.program.procedures[usize::from(procedure)].start;
+                let dr = match event {
+                    PlcEvent::Event(code) => code,
+                    PlcEvent::Command { code, .. } => i64::from(code),
+                };
+                self.enter(Line::Main, Root::Procedure, start, Some(dr));
+                if let PlcEvent::Command { pressed, .. } = event {
+                    self.main.regs.rlo = pressed;
+                }
             }
             if self.execute(Line::Main, true, world) == Progress::Stopped {
                 return Progress::Stopped;

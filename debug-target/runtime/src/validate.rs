@@ -58,7 +58,7 @@ fn regions(program: &Program) -> Checked {
         };
     }
     match program.region(RegionKind::System) {
-        Some(system) if system.start == 0 && system.len >= system::FREE => Ok(()),
+        Some(system) if system.start == 0 && system.len >= system::SUPERVISOR_END => Ok(()),
         _ => Err(LoadError::new(LoadItem::Program, "the system region is missing, moved or too short")),
     }
 }
@@ -211,6 +211,10 @@ impl<'a> Checker<'a> {
             }
             Op::InitFinished(file) | Op::DoneFinished(file) => {
                 require(file < MAX_FILES, "file number above 63")
+            }
+            Op::SelectBlock { offset, len } => {
+                let inside = u32::from(offset) + u32::from(len) <= system::block_record::LEN;
+                require(inside && (1..=8).contains(&len), "outside the record of a block")
             }
         }
     }

@@ -5,8 +5,10 @@ mod frame;
 
 mod arithmetic;
 mod bits;
+mod blocks;
 mod comparisons;
 mod data;
+mod interface;
 mod lathe;
 mod macros;
 mod mechanisms;

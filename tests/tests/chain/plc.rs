@@ -4,6 +4,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
+use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::Simulation;
 
 use crate::frame;
@@ -76,7 +77,11 @@ impl Plc {
         let lines = |text: &str| -> Vec<String> {
             text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
         };
-        let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
+        Plc::from_source(frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n")))
+    }
+
+    /// A program of this text, past MODULE_INIT.
+    pub(crate) fn from_source(source: String) -> Plc {
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
         let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
@@ -109,6 +114,21 @@ impl Plc {
     /// Why the program was stopped.
     pub(crate) fn fault(&self) -> Option<String> {
         self.simulation.runtime().fault().map(|fault| fault.kind.to_string())
+    }
+
+    /// Something the control does.
+    pub(crate) fn command(&mut self, command: Command) {
+        self.simulation.runtime_mut().command(command);
+    }
+
+    /// The PLC itself.
+    pub(crate) fn runtime(&mut self) -> &mut Runtime {
+        self.simulation.runtime_mut()
+    }
+
+    /// Input ports.
+    pub(crate) fn inputs(&mut self) -> &mut InputImage {
+        self.simulation.inputs_mut()
     }
 
     fn registers(&self) -> RegisterValues {

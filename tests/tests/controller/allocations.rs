@@ -103,6 +103,7 @@ fn busy() -> Program {
         }],
         sequences: vec![],
         timed: vec![],
+        services: vec![],
         initial: vec![],
         init_finished: vec![],
         done_finished: vec![],

@@ -89,9 +89,10 @@ fn recording() -> Recording {
         if plc.millis() == 8_000 {
             plant.set_fault("ccw-contactor-dead", true).expect("the lathe has this fault");
         }
-        for PlantEvent::StartBlock(start) in plant.step(plc.outputs(), &mut inputs) {
+        for event in plant.step(plc.outputs(), &mut inputs) {
+            let PlantEvent::StartBlock(start) = event else { continue };
             let technol_machine::BlockStart { m, s, t, h, motion_ms, rapid, .. } = start;
-            let block = Block { m, t, s, h, motion_ms, rapid, mode: BlockMode::Auto };
+            let block = Block { m, t, s, h, motion_ms, rapid, mode: BlockMode::Auto, prepared: None };
             recording.block(&block);
             plc.command(Command::StartBlock(block));
         }
