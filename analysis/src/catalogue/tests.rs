@@ -428,3 +428,36 @@ fn backed_up_memory_has_10000_bytes() {
     let kind = symbol("PLC_MEM_BACKUP").map(|symbol| symbol.kind);
     assert!(matches!(kind, Some(SystemKind::Area { len: 10_000, .. })), "{kind:?}");
 }
+
+#[test]
+fn axes_and_spindles_find_their_cells_where_the_catalogue_puts_them() {
+    use technol_image::op::BitRef;
+    use technol_image::system::motion;
+    let kind = |name: &str| symbol(name).unwrap_or_else(|| panic!("{name}")).kind;
+    for &(name, addr) in motion::CELLS {
+        assert_eq!(kind(name).bytes().map(|(addr, _)| addr), Some(addr), "{name}");
+    }
+    let at = |place: BitRef| SystemKind::Bit { addr: place.addr, bit: place.bit };
+    for &(name, place) in motion::BITS {
+        assert_eq!(kind(name), at(place), "{name}");
+    }
+    for &(name, family) in motion::FAMILIES {
+        assert_eq!(kind(name), at(family.of(0)), "{name}");
+    }
+    for &(name, family) in motion::SIX_FAMILIES {
+        assert_eq!(kind(name), at(family.of(0)), "{name}");
+    }
+    assert_eq!(kind("EXM_60"), at(motion::EXTERNAL_PLUS.of(5)));
+    // The other axes follow the first in every family.
+    for (axis, name) in [(1, "MPYPI"), (5, "MP6PI"), (6, "MP7PI"), (13, "MP14PI"), (14, "MP15PI"), (15, "MP16PI")] {
+        assert_eq!(kind(name), at(motion::ENABLE.of(axis)), "{name}");
+    }
+    let loops = kind("REF_SERV_16");
+    let first = motion::SERVO_SWITCH;
+    let last = u32::from(first.bit) + 15;
+    assert_eq!(loops, SystemKind::Bit { addr: first.addr + last / 8, bit: (last % 8) as u8 });
+    for space in 1..=4 {
+        let name = format!("POSITION_POS{}_EX", space + 1);
+        assert_eq!(kind(&name).bytes(), Some((motion::POSITION_POS1 + space * 128, 128)), "{name}");
+    }
+}

@@ -20,6 +20,8 @@ use crate::fault::Fault;
 use crate::key::Key;
 use crate::latch::Latch;
 use crate::limit::Limit;
+use crate::motion::switch::AxisSwitch;
+use crate::motion::{self, Motion};
 use crate::ramp::Ramp;
 use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
 use crate::slide::Slide;
@@ -75,6 +77,7 @@ impl core::error::Error for UnknownName {}
 pub struct Plant {
     millis: u64,
     elements: Vec<Mounted>,
+    switches: Vec<AxisSwitch>,
     keys: Vec<Key>,
     faults: Vec<Fault>,
     /// Outputs with a short circuit; `None` while there is none.
@@ -172,6 +175,17 @@ impl Plant {
             compiler.enter("slide", Some(index));
             add(&element.name, Element::Slide(Slide::compile(element, compiler)));
         }
+        for (index, axis) in config.axis.iter().enumerate() {
+            compiler.enter("axis", Some(index));
+            motion::settings::check(axis, &config.axis[..index], compiler);
+            for switch in &axis.switch {
+                self.switches.extend(AxisSwitch::compile(axis, switch, compiler));
+            }
+        }
+        for (index, spindle) in config.spindle.iter().enumerate() {
+            compiler.enter("spindle", Some(index));
+            motion::spindle::check(spindle, &config.spindle[..index], compiler);
+        }
     }
 
     /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are.
@@ -184,6 +198,9 @@ impl Plant {
         let world = World { outputs: &outputs, before: &before };
         for mounted in &mut self.elements {
             mounted.step(world, inputs);
+        }
+        for switch in &self.switches {
+            switch.step(inputs);
         }
         for key in &self.keys {
             key.step(inputs);
@@ -213,6 +230,13 @@ impl Plant {
         down(emergency_stop, PlantEvent::Stop { emergency: true });
         down(stop, PlantEvent::Stop { emergency: false });
         down(start, PlantEvent::Start);
+    }
+
+    /// The axes are where they are now; their switches follow in the next [`Plant::step`].
+    pub fn place_axes(&mut self, motion: &Motion) {
+        for switch in &mut self.switches {
+            switch.place(motion);
+        }
     }
 
     /// The PLC starts: `at-cycle` counts from here. With `cold` every element is where it was at first; faults
