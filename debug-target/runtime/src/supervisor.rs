@@ -268,7 +268,11 @@ impl Runtime {
                 }
             }
             Job::Module(index) => return self.run_module(index, events),
-            Job::Block => return self.run_block(events),
+            Job::Block => {
+                let progress = self.run_block(events);
+                self.block.publish(&mut self.machine.memory);
+                return progress;
+            }
             Job::Events => return self.run_events(events),
             Job::StopRequests => self.take_stop_request(),
         }
