@@ -5,9 +5,7 @@ use std::collections::VecDeque;
 use technol_image::op::BitRef;
 use technol_image::{Program, system};
 use technol_machine::{BlockMode, ConfigError, MachineConfig, Plant, PlantEvent};
-use technol_runtime::{
-    Block, Command, Gear, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome,
-};
+use technol_runtime::{Block, Command, Gear, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
 
 use crate::part_program;
 

@@ -8,7 +8,8 @@ use crate::catalogue::{self, SystemKind};
 /// The member of a prepared block that a bit is; `None` for other bits.
 pub(super) fn bit(addr: Addr, bit: u8) -> Option<String> {
     let (number, offset) = place(addr)?;
-    let is_it = |kind: &SystemKind| matches!(*kind, SystemKind::Bit { addr, bit: b } if (addr, b) == (offset, bit));
+    let is_it =
+        |kind: &SystemKind| matches!(*kind, SystemKind::Bit { addr, bit: b } if (addr, b) == (offset, bit));
     let member = catalogue::block_members().find(|member| is_it(&member.kind))?;
     Some(format!("BLK[{number}].{}", member.spelling))
 }

@@ -20,7 +20,8 @@ fn member(text: &str, rest: &str) -> Result<Target, ExpressionError> {
     let unknown = || ExpressionError::Unknown(text.to_owned());
     let (index, behind) = rest.split_once(']').ok_or(ExpressionError::Unexpected(0, String::new()))?;
     let block = number(index.trim()).ok_or_else(|| ExpressionError::Number(index.trim().to_owned()))?;
-    let block = u32::try_from(block).ok().filter(|n| *n < BLOCK_RECORD_COUNT).ok_or(ExpressionError::Address)?;
+    let block =
+        u32::try_from(block).ok().filter(|n| *n < BLOCK_RECORD_COUNT).ok_or(ExpressionError::Address)?;
     let path = behind.trim_start().strip_prefix('.').ok_or_else(unknown)?;
     let (typed, path) = match path.split_once('.') {
         Some((name, path)) => (Some(prefix(name.trim()).ok_or_else(unknown)?), path),
@@ -28,7 +29,8 @@ fn member(text: &str, rest: &str) -> Result<Target, ExpressionError> {
     };
     let (name, element) = match path.trim().strip_suffix(']').and_then(|path| path.split_once('[')) {
         Some((name, index)) => {
-            let element = number(index.trim()).ok_or_else(|| ExpressionError::Number(index.trim().to_owned()))?;
+            let element =
+                number(index.trim()).ok_or_else(|| ExpressionError::Number(index.trim().to_owned()))?;
             (name.trim(), Some(element))
         }
         None => (path.trim(), None),
@@ -43,7 +45,9 @@ fn member(text: &str, rest: &str) -> Result<Target, ExpressionError> {
         None => Ok(Target::Cell { addr: base + offset, width: width(declared) }),
     };
     match (member.kind, element) {
-        (SystemKind::Bit { addr, bit }, None) if typed.is_none() => Ok(Target::Bit { addr: base + addr, bit }),
+        (SystemKind::Bit { addr, bit }, None) if typed.is_none() => {
+            Ok(Target::Bit { addr: base + addr, bit })
+        }
         (SystemKind::Cell { addr, prefix }, None) => cell(addr, prefix),
         (SystemKind::Array { addr, element: prefix, len }, Some(element)) => {
             let n = u32::try_from(element).ok().filter(|n| *n < len).ok_or(ExpressionError::Address)?;
@@ -82,8 +86,21 @@ mod tests {
             assert_eq!(resolve(text), None, "{text}");
         }
         for text in [
-            "BLK[0]", "BLK[0].", "BLK[", "BLK[].T", "BLK[BX].T", "BLK[17].T", "BLK[-1].T", "BLK[0].NOBODY", "BLK[0].M[15]",
-            "BLK[0].M", "BLK[0].T[0]", "BLK[0].REAL.M3", "BLK[0].SHOE.T", "BLK[0].M3.1", "BLK[99999999999].T",
+            "BLK[0]",
+            "BLK[0].",
+            "BLK[",
+            "BLK[].T",
+            "BLK[BX].T",
+            "BLK[17].T",
+            "BLK[-1].T",
+            "BLK[0].NOBODY",
+            "BLK[0].M[15]",
+            "BLK[0].M",
+            "BLK[0].T[0]",
+            "BLK[0].REAL.M3",
+            "BLK[0].SHOE.T",
+            "BLK[0].M3.1",
+            "BLK[99999999999].T",
         ] {
             assert!(matches!(resolve(text), Some(Err(_))), "{text}");
         }

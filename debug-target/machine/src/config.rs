@@ -8,8 +8,8 @@ use serde::Deserialize;
 
 use crate::block::{BlockFlag, BlockMode};
 use crate::drive::{Outputs, Signals};
-use crate::motion::config::{Axis, Spindle};
 use crate::motion::Thousandths;
+use crate::motion::config::{Axis, Spindle};
 
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]

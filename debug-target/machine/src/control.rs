@@ -73,7 +73,10 @@ impl ControlKeys {
     }
 
     pub(crate) fn reset(&mut self) {
-        [&mut self.start, &mut self.stop, &mut self.emergency_stop].into_iter().flatten().for_each(ControlKey::reset);
+        [&mut self.start, &mut self.stop, &mut self.emergency_stop]
+            .into_iter()
+            .flatten()
+            .for_each(ControlKey::reset);
     }
 }
 

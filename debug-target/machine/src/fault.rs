@@ -127,7 +127,8 @@ fn on_element(
             return None;
         }
         _ => {
-            compiler.error("element", format!("several elements are called `{name}`; give them different names"));
+            compiler
+                .error("element", format!("several elements are called `{name}`; give them different names"));
             return None;
         }
     };

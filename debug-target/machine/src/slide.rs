@@ -61,7 +61,10 @@ impl Slide {
         let mut switches = Vec::new();
         for switch in &config.switches {
             if !on_the_way.contains(&switch.at) || switch.width.0 < 0 {
-                compiler.error("switches", "`at` must lie on the way, from 0 to `stroke-mm`, `width` not be negative");
+                compiler.error(
+                    "switches",
+                    "`at` must lie on the way, from 0 to `stroke-mm`, `width` not be negative",
+                );
             }
             let input = compiler.driven("switches", &switch.input);
             let (from, to) = (switch.at.0 * UNIT, (switch.at.0 + switch.width.0) * UNIT);

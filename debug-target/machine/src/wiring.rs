@@ -7,8 +7,8 @@ use alloc::vec::Vec;
 use crate::config::{
     Block, Contact, Counter, Encoder, Fault, Key, Latch, Limit, MachineConfig, Ramp, Slide, Turret,
 };
-use crate::motion::config::Axis;
 use crate::motion::Thousandths;
+use crate::motion::config::Axis;
 use crate::signal::{Signal, parse_port};
 
 /// What a signal does, or what is done to it.
@@ -131,14 +131,16 @@ fn contact(e: &Contact, to: &mut Element<'_>) {
     let (on, off) = (level(!e.invert), level(e.invert));
     let (on_ms, off_ms) = (e.on_delay_ms, e.off_delay_ms);
     to.drives(&e.output.0, &format!("{} {on} after {on_ms} ms, {off} after {off_ms} ms", e.input));
-    let text = format!("{on} {on_ms} ms after {} goes on, {off} {off_ms} ms after it goes off", any(&e.output.0));
+    let text =
+        format!("{on} {on_ms} ms after {} goes on, {off} {off_ms} ms after it goes off", any(&e.output.0));
     to.driven(&e.input, &text);
 }
 
 fn limit(e: &Limit, to: &mut Element<'_>) {
     let there = e.travel_ms;
     let back = e.return_ms.unwrap_or(there);
-    let reaches = |input: &Option<String>| input.as_ref().map_or(String::new(), |name| format!(": then {name}"));
+    let reaches =
+        |input: &Option<String>| input.as_ref().map_or(String::new(), |name| format!(": then {name}"));
     let end = reaches(&e.input_at_end);
     let start = reaches(&e.input_at_start);
     let spring = if e.output_backward.is_none() {
@@ -154,7 +156,10 @@ fn limit(e: &Limit, to: &mut Element<'_>) {
         to.driven(name, &format!("on at the start, where {by} brings it in {back} ms"));
     }
     if let Some(name) = &e.input_at_end {
-        to.driven(name, &format!("on at the end, where {} brings it in {there} ms", any(&e.output_forward.0)));
+        to.driven(
+            name,
+            &format!("on at the end, where {} brings it in {there} ms", any(&e.output_forward.0)),
+        );
     }
 }
 
@@ -170,7 +175,10 @@ fn encoder(e: &Encoder, to: &mut Element<'_>) {
 fn turret(e: &Turret, to: &mut Element<'_>) {
     let each = format!("station, {} ms each, {} stations", e.station_ms, e.stations);
     to.drives(&e.motor.0, &format!("turns it to the next {each}"));
-    to.drives(e.motor_reverse.as_ref().map_or(&[][..], |names| &names.0), &format!("turns it to the last {each}"));
+    to.drives(
+        e.motor_reverse.as_ref().map_or(&[][..], |names| &names.0),
+        &format!("turns it to the last {each}"),
+    );
     for (bit, name) in e.code.iter().enumerate() {
         to.driven(name, &format!("its station in BCD, bit {bit}"));
     }
@@ -287,6 +295,7 @@ fn describe_block(n: usize, block: &Block) -> String {
         (_, Some(signal)) => format!("when {signal} goes on"),
         _ => "after the block before it".to_string(),
     };
-    let motion = if block.motion_ms > 0 { format!(", moves for {} ms", block.motion_ms) } else { String::new() };
+    let motion =
+        if block.motion_ms > 0 { format!(", moves for {} ms", block.motion_ms) } else { String::new() };
     format!("{} {when}{motion}", block_name(n, block))
 }

@@ -252,10 +252,10 @@ fn settings_of_the_control() {
     let plant = plant(toml);
     let control = plant.control();
     assert_eq!(control.m_groups, [(91, 10)]);
-    assert_eq!(control.gears.iter().map(|g| (g.max_speed, g.max_output)).collect::<Vec<_>>(), [
-        (400, 32767),
-        (800, 26869)
-    ]);
+    assert_eq!(
+        control.gears.iter().map(|g| (g.max_speed, g.max_output)).collect::<Vec<_>>(),
+        [(400, 32767), (800, 26869)]
+    );
     assert!(control.conditional_stop);
 }
 
@@ -323,7 +323,8 @@ fn what_is_wrong_is_named_with_its_place() {
 fn unknown_keys_are_errors_that_name_them() {
     for table in ["latch", "counter", "ramp", "slide", "control", "m-function", "fault", "block", "key"] {
         let brackets = if table == "control" { ("[", "]") } else { ("[[", "]]") };
-        let error = toml::from_str::<MachineConfig>(&format!("{}{table}{}\nshoe=3", brackets.0, brackets.1)).unwrap_err();
+        let error = toml::from_str::<MachineConfig>(&format!("{}{table}{}\nshoe=3", brackets.0, brackets.1))
+            .unwrap_err();
         assert!(error.message().contains("unknown field `shoe`"), "{table}: {error}");
     }
 }

@@ -179,8 +179,12 @@ fn blocks_start_in_their_cycle_or_on_a_rising_edge() {
         extra: BlockExtra::default(),
     };
     let place = |first, last| BlockExtra { first, last, ..BlockExtra::default() };
-    let first =
-        BlockStart { s: Some(1200), motion_ms: 400, extra: place(true, false), ..block(&[3], BlockMode::Auto) };
+    let first = BlockStart {
+        s: Some(1200),
+        motion_ms: 400,
+        extra: place(true, false),
+        ..block(&[3], BlockMode::Auto)
+    };
     let second = BlockStart { extra: place(false, true), ..block(&[5], BlockMode::Reference) };
     let tool = BlockStart { t: Some(7), extra: place(true, true), ..block(&[], BlockMode::Auto) };
     assert_eq!(seen, [(40, first.clone()), (40, second), (60, tool.clone()), (100, tool)]);

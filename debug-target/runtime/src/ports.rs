@@ -31,7 +31,12 @@ pub(crate) fn copy_inputs(memory: &mut Memory, inputs: &InputImage) {
 
 /// One output port out of memory; `port` 0 is P0OUT. A driven output that is `shorted` sets its bit of
 /// ERRLI_P0OUT …; it stays off until the program clears that bit (manual 9.3).
-pub(crate) fn copy_output(memory: &mut Memory, outputs: &mut OutputImage, shorted: &OutputImage, port: usize) {
+pub(crate) fn copy_output(
+    memory: &mut Memory,
+    outputs: &mut OutputImage,
+    shorted: &OutputImage,
+    port: usize,
+) {
     let n = port as Addr;
     let value = memory.byte(system::OUT_PORTS + n);
     let driven = forced(memory, value, system::OUT_FORCE_LOW + n, system::OUT_FORCE_HIGH + n);

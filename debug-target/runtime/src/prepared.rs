@@ -4,9 +4,7 @@
 //! what it does program.
 
 use technol_image::op::{Addr, BitRef};
-use technol_image::system::{
-    BLOCK_RECORD_COUNT, BLOCK_RECORDS, BLOCK_WINDOW, block_record as record,
-};
+use technol_image::system::{BLOCK_RECORD_COUNT, BLOCK_RECORDS, BLOCK_WINDOW, block_record as record};
 
 use crate::block::Block;
 use crate::decimal::to_bcd;

@@ -58,8 +58,14 @@ fn bits_of_prepared_blocks() {
             ("LDR I1 / LO BLK[0].TchlOff / WR O0 / LDR I1 / LO BLK[1].TchlOff / WR O1", "O0=1 O1=0"),
             ("LDR I0 / LX BLK[1].Stop / WR O0 / LDR BLK[1].CondStop / WR O1", "O0=0 O1=0"),
             ("LDR BLK[0].AxNC2Move / WR O0 / LDR BLK[0].AxNC1Move / WR O1", "O0=1 O1=0"),
-            ("LDR BLK[0].IPlc2 / WR O0 / LDR BLK[0].RPlc3 / WR O1 / LDR BLK[0].RPlc4 / WR O2", "O0=1 O1=1 O2=0"),
-            ("LDR BLK[0].HProg / WR O0 / LDR BLK[1].HProg / WR O1 / LDR BLK[1].TProg / WR O2", "O0=1 O1=0 O2=1"),
+            (
+                "LDR BLK[0].IPlc2 / WR O0 / LDR BLK[0].RPlc3 / WR O1 / LDR BLK[0].RPlc4 / WR O2",
+                "O0=1 O1=1 O2=0",
+            ),
+            (
+                "LDR BLK[0].HProg / WR O0 / LDR BLK[1].HProg / WR O1 / LDR BLK[1].TProg / WR O2",
+                "O0=1 O1=0 O2=1",
+            ),
             ("LDR BLK[3].TProg / WR O0 / LDR BLK[16].M2 / WR O1 / LDR BLK[17].M2 / WR O2", "O0=0 O1=0 O2=0"),
             ("LDR BLK[65535].M2 / WR O0", "O0=0"),
         ],
@@ -199,7 +205,8 @@ fn numbers_of_the_block_have_their_cells() {
 
 #[test]
 fn m40_chooses_the_gear_for_the_speed() {
-    let mut plc = Plc::of("LDR M41PI / WR O0 / LDR M42PI / WR O1 / LDR ZMM3PI / WR O2 / LOD BLK[0].REAL.SpindleSpeed");
+    let mut plc =
+        Plc::of("LDR M41PI / WR O0 / LDR M42PI / WR O1 / LDR ZMM3PI / WR O2 / LOD BLK[0].REAL.SpindleSpeed");
     let gear = |max_speed| Gear { max_speed, max_output: 0x7FFF };
     plc.runtime().set_gears(&[gear(200), gear(900)]);
     for (m, speed, then) in [
@@ -219,7 +226,8 @@ fn m40_chooses_the_gear_for_the_speed() {
 
 #[test]
 fn one_block_bits_end_with_the_block_and_static_ones_stay() {
-    let mut plc = Plc::of("LDR M10PID / LO ZMM2PI / LO ZMM7PI / WR O0 / LDR M03PI / WR O1 / LDR BLK[0].M2 / WR O2");
+    let mut plc =
+        Plc::of("LDR M10PID / LO ZMM2PI / LO ZMM7PI / WR O0 / LDR M03PI / WR O1 / LDR BLK[0].M2 / WR O2");
     let [block] = with(&[3, 10]);
     plc.command(Command::StartBlock(Block { motion_ms: 40, ..block }));
     plc.run(1);

@@ -76,7 +76,8 @@ fn a_program_forbids_every_start() {
 
 #[test]
 fn a_key_with_a_command_calls_on_cmd() {
-    let mut plc = Plc::of("PROC_BEGIN _ON_CMD / WR O0 / STO D1 / LOD D2 / INR DWRD / STO D2 / PROC_END _ON_CMD");
+    let mut plc =
+        Plc::of("PROC_BEGIN _ON_CMD / WR O0 / STO D1 / LOD D2 / INR DWRD / STO D2 / PROC_END _ON_CMD");
     plc.command(Command::PlcCommand { code: 1234, pressed: true });
     plc.run(1);
     assert_eq!(plc.differences("O0=1 D1=1234 D2=1"), [""; 0]);
@@ -99,7 +100,8 @@ fn masks_force_inputs_and_outputs() {
 #[test]
 fn a_short_circuit_is_told_and_confirmed() {
     // The bit of the port that the program's own byte names, as in the manual's example.
-    let lines = "LDR I0 / WR O1 / LOD OB / STO P4OUT / LDR ERRLI_P4OUT.O1 / WR O7 / LDR I1 / FL1 0,ERRLI_P4OUT.O1";
+    let lines =
+        "LDR I0 / WR O1 / LOD OB / STO P4OUT / LDR ERRLI_P4OUT.O1 / WR O7 / LDR I1 / FL1 0,ERRLI_P4OUT.O1";
     let machine = "[[fault]]\nname = 'short'\noutput = 'P4OUT.1'\nshorted = true\nactive = true";
     let mut plc = Plc::before(machine, lines);
     plc.set("I0=1");
@@ -132,7 +134,7 @@ fn keys_of_the_panel_and_of_the_control_reach_the_program() {
     assert_eq!(plc.differences("O0=1 D1=12"), [""; 0]);
     plc.press("light", false);
     plc.run(3);
-    assert_eq!(plc.differences("O0=0 B1=91h O1=1 O2=0 O3=1 D2=8 R1=1.5 O4=1 O5=1"), [""; 0]);
+    assert_eq!(plc.differences("O0=0 B1=91h O1=1 O2=0 O3=1 D2=8 REAL.R1=1.5 O4=1 O5=1"), [""; 0]);
     plc.press("stop", true);
     plc.run(3);
     assert_eq!(plc.differences("O2=1 O5=0"), [""; 0]);
@@ -143,7 +145,8 @@ fn keys_of_the_panel_and_of_the_control_reach_the_program() {
 
 /// MODULE_MAIN with these lines, and the modules around the life of the PLC.
 fn life(main: &str) -> Plc {
-    let source = frame::program("IB: DFM I0,I1\nOB: DFM O0,O1\nN: DS 4", main, " LDR I1\n LOD CNST.1\n STO N");
+    let source =
+        frame::program("IB: DFM I0,I1\nOB: DFM O0,O1\nN: DS 4", main, " LDR I1\n LOD CNST.1\n STO N");
     let source = source.replace(" MODULE_INIT_FINISHED\n", "");
     Plc::from_source(source.replace("STOP\n", "MODULE_DONE\n LOD CNST.2\n STO N\nMODULE_DONE_END\nSTOP\n"))
 }

@@ -223,9 +223,7 @@ pub(super) fn list(symbols: &mut Vec<SystemSymbol>) -> u32 {
 mod tests {
     use std::collections::HashSet;
 
-    use crate::catalogue::{
-        SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol,
-    };
+    use crate::catalogue::{SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol};
 
     #[test]
     fn a_block_has_its_change_bits_numbers_and_reals() {

@@ -341,16 +341,9 @@ fn the_status_follows_the_block() {
         seen.push(status(&bench));
     }
     let expected = [
-        "_______",
-        "RB__NCK",
-        "RB__NCK", // the request is taken at the end of the cycle
-        "_B_S_CK",
-        "RB__NCK",
-        "RB__NCK",
-        "__F__C_", // the block behind is forgotten by the stop
-        "__F__C_",
-        "__F__C_",
-        "__F__C_",
+        "_______", "RB__NCK", "RB__NCK", // the request is taken at the end of the cycle
+        "_B_S_CK", "RB__NCK", "RB__NCK", "__F__C_", // the block behind is forgotten by the stop
+        "__F__C_", "__F__C_", "__F__C_",
     ];
     assert_eq!(seen, expected);
 }
@@ -400,7 +393,12 @@ fn the_automatic_gear_follows_the_programmed_speed() {
             prepared.set(BlockReal::SpindleSpeed, speed);
         }
         let prepared = Some(Box::new(prepared));
-        bench.command(Command::StartBlock(Block { m: m.into(), motion_ms: 100, prepared, ..Block::default() }));
+        bench.command(Command::StartBlock(Block {
+            m: m.into(),
+            motion_ms: 100,
+            prepared,
+            ..Block::default()
+        }));
         bench.cycles(1);
         let row = format!("{m:?} {speed:?}");
         assert_eq!(bench.byte(system::M41PI.addr) >> system::M41PI.bit & 0xF, gear, "{row}");

@@ -58,7 +58,11 @@ fn the_queue_is_seen_as_it_was_when_the_block_began() {
     assert_eq!((tools(&bench), bench.word(system::CNT_NEXT_BLOCKS)), (vec![1, 2, 3], 2));
     bench.command(Command::StartBlock(tool(4)));
     bench.cycles(1);
-    assert_eq!((tools(&bench), bench.word(system::CNT_NEXT_BLOCKS)), (vec![1, 2, 3], 2), "not before the next");
+    assert_eq!(
+        (tools(&bench), bench.word(system::CNT_NEXT_BLOCKS)),
+        (vec![1, 2, 3], 2),
+        "not before the next"
+    );
     bench.cycles(2);
     assert_eq!((tools(&bench), bench.word(system::CNT_NEXT_BLOCKS)), (vec![2, 3, 4], 2));
     bench.set(system::STOP_REQ, true);
