@@ -143,6 +143,61 @@ fn keys_of_the_panel_and_of_the_control_reach_the_program() {
     assert_eq!(plc.differences("O2=0 O5=1"), [""; 0]);
 }
 
+/// Twelve blocks, more than the control hands over at once; each counts W1 in MODULE_MAIN while it moves.
+fn long_program(first: &str) -> String {
+    let more = "[[block]]\nmotion-ms = 20\n".repeat(11);
+    format!(
+        "[[block]]\non = 'P1IN.0'\n{first}\nmotion-ms = 20\n{more}[control]\nstart = 'P1IN.1'\nstop = 'P1IN.2'"
+    )
+}
+
+/// Counts the blocks by their starts; D1 has the codes of events.
+const COUNT_BLOCKS: &str = "EDGE_H PO_F / JL0 L / LOD W1 / INR / STO W1 / L:";
+
+#[test]
+fn a_long_program_runs_to_its_end() {
+    let mut plc = Plc::before(&long_program(""), COUNT_BLOCKS);
+    plc.run(1);
+    plc.inputs()[0] = 1;
+    plc.run(60);
+    assert_eq!(plc.differences("W1=12"), [""; 0]);
+}
+
+#[test]
+fn m00_holds_a_long_program_and_start_goes_on_with_all_of_it() {
+    let mut plc = Plc::before(&long_program("m = [0]"), COUNT_BLOCKS);
+    plc.run(1);
+    plc.inputs()[0] = 1;
+    plc.run(30);
+    assert_eq!(plc.differences("W1=1"), [""; 0]);
+    plc.inputs()[0] = 3;
+    plc.run(60);
+    assert_eq!(plc.differences("W1=12"), [""; 0]);
+}
+
+#[test]
+fn a_stop_ends_a_long_program_also_while_its_start_is_held() {
+    for (hold, blocks) in [("LDR I0 / FL1 1,START_SUSPEND", 0), ("LDR I0", 2)] {
+        let suspend =
+            format!("PROC_BEGIN _ON_EVENT / {hold} / FL1 0,O0 / PROC_END _ON_EVENT / {COUNT_BLOCKS}");
+        let mut plc = Plc::before(&long_program(""), &suspend);
+        plc.set("I0=1");
+        plc.run(1);
+        plc.inputs()[0] = 1;
+        plc.run(2);
+        plc.inputs()[0] = 5; // the second block has begun when the stop is taken
+        plc.run(4);
+        plc.set("I0=0");
+        plc.inputs()[0] = 2;
+        plc.run(60);
+        assert_eq!(plc.differences(&format!("W1={blocks}")), [""; 0], "{hold}");
+        // The next program runs as a whole.
+        plc.inputs()[0] = 1;
+        plc.run(60);
+        assert_eq!(plc.differences(&format!("W1={}", blocks + 12)), [""; 0], "{hold}");
+    }
+}
+
 /// MODULE_MAIN with these lines, and the modules around the life of the PLC.
 fn life(main: &str) -> Plc {
     let source =
