@@ -92,12 +92,8 @@ pub(crate) struct RunArguments {
     #[arg(default_value = ".")]
     pub(crate) path: PathBuf,
     /// How many 20 ms cycles to run
-    #[arg(
-        long,
-        value_name = "N",
-        required_unless_present = "explain_machine",
-        default_value_if("explain_machine", "true", "0")
-    )]
+    #[arg(long, value_name = "N", required = false, required_unless_present = "explain_machine")]
+    #[arg(default_value_if("explain_machine", "true", "0"), allow_negative_numbers = true)]
     pub(crate) cycles: u64,
     /// Set a bit, variable or mechanism before a cycle (default: before cycle 0, after MODULE_INIT)
     #[arg(long, value_name = "NAME=VALUE[@CYCLE]")]

@@ -101,6 +101,42 @@ mod tests {
     }
 
     #[test]
+    fn every_kind_of_element_has_its_place_in_errors() {
+        for (text, expected) in [
+            (
+                "[[latch]]\nset = 'P0OUT.0'\nreset = ['P0OUT.1', 'STOP']\ninput = 'P1IN.0'",
+                "3:9: latch[0].reset: `STOP`",
+            ),
+            (
+                "[[counter]]\npulses = 'P0OUT.0'\ncount = 0\ninput = 'P1IN.0'",
+                "3:9: counter[0].count: must be",
+            ),
+            ("[[counter]]\npulses = 'P0OUT.0'\ncount = 2\ninputs = 'P1IN.0'", "4:1: unknown field `inputs`"),
+            (
+                "[[ramp]]\noutput = 'P0OUT.0'\nhigh = 9\nrise-per-s = 1\nthresholds = [{ at = 3, input = 'T' }]",
+                "5:14: ramp[0].thresholds: `T` is not",
+            ),
+            (
+                "[[ramp]]\noutput = 'P0OUT.0'\nhigh = 9\nrise-per-s = 1\nthresholds = [{ at = 3, inputs = 'T' }]",
+                "5:25: unknown field `inputs`",
+            ),
+            (
+                "[[slide]]\nforward = 'P0OUT.0'\nbackward = 'P0OUT.1'\nspeed-mm-s = 5\nstroke-mm = 'long'",
+                "5:13: invalid type",
+            ),
+            (
+                "[[fault]]\nname = 'x'\nelement = 'pump'\njammed = true",
+                "3:11: fault[0].element: no element is called `pump`",
+            ),
+            ("[control]\nstop = 'KEY'", "2:8: control.stop: `KEY` is not"),
+            ("[[m-function]]\nnumber = 3\ngroup = 4", "3:9: m-function[0].group: M03 belongs to group 2"),
+        ] {
+            let errors = errors(text);
+            assert!(errors[0].starts_with(&format!("machine.toml:{expected}")), "{text}\n{errors:?}");
+        }
+    }
+
+    #[test]
     fn syntax_errors_and_unknown_keys_have_a_place() {
         let unknown = errors("[[contact]]\noutput = 'P0OUT.0'\ninput = 'P1IN.0'\ndelay = 3\n");
         assert!(unknown[0].starts_with("machine.toml:4:1: unknown field `delay`"), "{unknown:?}");

@@ -2,8 +2,7 @@
 
 use std::collections::VecDeque;
 
-use technol_image::op::BitRef;
-use technol_image::{Program, system};
+use technol_image::Program;
 use technol_machine::{
     BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent, SimulatedControl,
 };
@@ -43,8 +42,8 @@ pub struct Simulation {
     starting: bool,
     /// Blocks of the part program that the PLC has not been given yet.
     waiting: VecDeque<Block>,
-    /// Blocks that it has been given and not begun.
-    handed: usize,
+    /// Central annulment is on its way: what the PLC forgets is meant to be forgotten.
+    annulled: bool,
 }
 
 impl Simulation {
@@ -79,7 +78,7 @@ impl Simulation {
             moved: None,
             starting: false,
             waiting: VecDeque::new(),
-            handed: 0,
+            annulled: false,
         })
     }
 
@@ -105,9 +104,9 @@ impl Simulation {
 
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
-        let Simulation { runtime, plant, control, inputs, moved, starting, waiting, handed } = self;
+        let Simulation { runtime, plant, control, inputs, moved, starting, waiting, annulled } = self;
         // Only equality matters, and both halves are mixed already.
-        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {handed}");
+        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
     }
@@ -128,7 +127,7 @@ impl Simulation {
         self.plant.start(cold);
         self.runtime.command(Command::StartPlc { cold });
         self.starting = true;
-        self.forget_blocks();
+        self.waiting.clear();
     }
 
     /// One millisecond of machine and PLC. While the debugger holds the program the machine stands still, so
@@ -143,12 +142,12 @@ impl Simulation {
             self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
             self.hand_over_blocks();
         }
-        let first = events.len();
+        let (first, waiting) = (events.len(), self.runtime.waiting_blocks());
         let outcome = self.runtime.tick_with(&self.inputs, &mut self.control, events);
         if std::mem::take(&mut self.starting) {
             self.moved = None;
         }
-        self.follow_blocks(&events[first..]);
+        self.follow_blocks(&events[first..], waiting);
         outcome
     }
 
@@ -180,7 +179,8 @@ impl Simulation {
             PlantEvent::StartBlock(block) => {
                 if block.mode == BlockMode::CentralAnnulment {
                     // It does not wait for its turn: it ends what is going on.
-                    self.forget_blocks();
+                    self.waiting.clear();
+                    self.annulled = true;
                     self.runtime.command(Command::AbortBlock);
                 }
                 self.waiting.push_back(part_program::block(block));
@@ -194,32 +194,22 @@ impl Simulation {
     }
 
     fn hand_over_blocks(&mut self) {
-        while self.handed < LOOK_AHEAD {
+        while self.runtime.waiting_blocks() < LOOK_AHEAD {
             let Some(block) = self.waiting.pop_front() else { return };
             self.runtime.command(Command::StartBlock(block));
-            self.handed += 1;
         }
     }
 
-    fn follow_blocks(&mut self, events: &[RuntimeEvent]) {
-        let done = |e: &&RuntimeEvent| {
+    /// A stop makes the PLC forget the blocks it was given; the rest of the part program goes with them. `before`
+    /// that tick so many waited.
+    fn follow_blocks(&mut self, events: &[RuntimeEvent], before: usize) {
+        let taken = |e: &&RuntimeEvent| {
             matches!(e, RuntimeEvent::BlockStarted { .. } | RuntimeEvent::BlockRejected(_))
         };
-        self.handed = self.handed.saturating_sub(events.iter().filter(done).count());
-        // A stop in a block makes the PLC forget the blocks it was given; the rest of the part program goes with
-        // them. Behind M00 no block is in progress, and they go on.
-        let stopped = self.flag(system::PO_STOP) && self.flag(system::PO_F);
-        if stopped || !(self.starting || self.runtime.state().is_cycling()) {
-            self.forget_blocks();
+        let left = self.runtime.waiting_blocks() + events.iter().filter(taken).count();
+        let forgotten = left < before && !std::mem::take(&mut self.annulled);
+        if forgotten || !(self.starting || self.runtime.state().is_cycling()) {
+            self.waiting.clear();
         }
-    }
-
-    fn flag(&self, bit: BitRef) -> bool {
-        self.runtime.memory().get(bit.addr as usize).is_some_and(|byte| byte >> bit.bit & 1 != 0)
-    }
-
-    fn forget_blocks(&mut self) {
-        self.waiting.clear();
-        self.handed = 0;
     }
 }

@@ -32,30 +32,27 @@ impl Explanation<'_> {
         if !self.machine.machine.name.is_empty() {
             say!("{}", self.machine.machine.name);
         }
-        self.wires("What the outputs drive", &self.wiring.drives);
-        self.wires("What drives the inputs", &self.wiring.driven);
+        let is_output = |wire: &&Wire| matches!(wire.signal, Signal::Output { .. });
+        let (outputs, inputs): (Vec<_>, Vec<_>) = self.wiring.drives.iter().partition(is_output);
+        self.wires("What the outputs drive", &outputs);
+        self.wires("What drives the inputs", &self.wiring.driven.iter().collect::<Vec<_>>());
+        self.wires("What inputs drive besides the program", &inputs);
         section("Keys", self.wiring.keys.iter().map(|(name, does)| (name.clone(), does.clone())));
         section("Faults", self.wiring.faults.iter().map(|(name, does)| (name.clone(), does.clone())));
         section("Blocks", self.wiring.blocks.iter().map(|block| (block.clone(), String::new())));
         let unconnected = self.unconnected();
-        let rows = unconnected.iter().map(|(at, name)| (at.clone(), name.clone()));
+        let rows = unconnected.iter().cloned();
         section("Used by the program, connected to nothing", rows);
     }
 
-    fn wires(&self, title: &str, wires: &[Wire]) {
+    fn wires(&self, title: &str, wires: &[&Wire]) {
         let rows = wires.iter().map(|wire| {
             let name = self.uses.name(wire.signal).filter(|_| !wire.whole);
-            let at = self.at(wire.signal, wire.whole);
-            let at = name.map_or_else(|| at.clone(), |name| format!("{at} {name}"));
-            (at, format!("{}: {}", wire.element, wire.text))
+            let place = at(wire.signal, wire.whole);
+            let place = name.map_or_else(|| place.clone(), |name| format!("{place} {name}"));
+            (place, format!("{}: {}", wire.element, wire.text))
         });
         section(title, rows);
-    }
-
-    #[expect(clippy::unused_self, reason = "reads as the other ways to write a row")]
-    fn at(&self, signal: Signal, whole: bool) -> String {
-        let text = signal.to_string();
-        if whole { text.split('.').next().unwrap_or_default().to_owned() } else { text }
     }
 
     /// Signals that the program uses and no element, key or block knows, with their names.
@@ -67,14 +64,14 @@ impl Explanation<'_> {
         let bits = self.uses.bits.iter().filter(|(signal, _)| !connected(**signal));
         let bits = bits.map(|(signal, name)| (signal.to_string(), name.clone().unwrap_or_default()));
         let ports = self.uses.ports.iter().filter(|port| !(0..8).any(|bit| connected(with_bit(**port, bit))));
-        bits.chain(ports.map(|port| (self.at(*port, true), "the whole port".to_owned()))).collect()
+        bits.chain(ports.map(|port| (at(*port, true), "the whole port".to_owned()))).collect()
     }
 
     fn json(&self) -> Json {
         let wires = |wires: &[Wire]| {
             let rows = wires.iter().map(|wire| {
                 json!({
-                    "signal": self.at(wire.signal, wire.whole),
+                    "signal": at(wire.signal, wire.whole),
                     "name": self.uses.name(wire.signal).filter(|_| !wire.whole),
                     "element": wire.element,
                     "text": wire.text,
@@ -96,6 +93,12 @@ impl Explanation<'_> {
             }).collect::<Vec<_>>(),
         })
     }
+}
+
+/// A bit or a whole port as text.
+fn at(signal: Signal, whole: bool) -> String {
+    let text = signal.to_string();
+    if whole { text.split('.').next().unwrap_or_default().to_owned() } else { text }
 }
 
 /// A title and rows in two columns; nothing without rows.

@@ -115,6 +115,20 @@ pub const STATUS_RESTART: Addr = BLOCK + 0x30;
 /// CNT_NEXT_BLOCKS: WORD, number of prepared blocks.
 pub const CNT_NEXT_BLOCKS: Addr = BLOCK + 0x32;
 
+/// SF_RUN: functions are performed or axes move.
+pub const SF_RUN: BitRef = bit(0x1354, 1);
+/// SF_BLOCKINPROGR: a block is in progress.
+pub const SF_BLOCKINPROGR: BitRef = bit(0x1354, 2);
+/// SF_BLOCKFINISHED: the last block was finished.
+pub const SF_BLOCKFINISHED: BitRef = bit(0x1354, 3);
+/// SF_STOP: stopped, in a block or behind one.
+pub const SF_STOP: BitRef = bit(0x1354, 4);
+/// SF_NOTINPOS: the position is not reached.
+pub const SF_NOTINPOS: BitRef = bit(0x1354, 5);
+/// SF_CONDSTOPMODE: M01 stops.
+pub const SF_CONDSTOPMODE: BitRef = bit(0x1355, 2);
+/// SF_BACKWARD: the block runs backwards.
+pub const SF_BACKWARD: BitRef = bit(0x1355, 7);
 /// Records of the prepared blocks, `BLK[n]`: number 0 is the block in progress, the others are the waiting ones
 /// (manual 8.3). A record past the last waiting block is zero.
 pub const BLOCK_RECORDS: Addr = 0x6000;

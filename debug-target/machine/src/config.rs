@@ -8,8 +8,8 @@ use serde::Deserialize;
 
 use crate::block::{BlockFlag, BlockMode};
 use crate::drive::{Outputs, Signals};
+use crate::motion::Thousandths;
 use crate::motion::config::{Axis, Spindle};
-use crate::number::Thousandths;
 
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -27,10 +27,6 @@ pub struct MachineConfig {
     pub encoder: Vec<Encoder>,
     /// `[[turret]]`.
     pub turret: Vec<Turret>,
-    /// `[[axis]]`.
-    pub axis: Vec<Axis>,
-    /// `[[spindle]]`.
-    pub spindle: Vec<Spindle>,
     /// `[[latch]]`.
     pub latch: Vec<Latch>,
     /// `[[counter]]`.
@@ -43,8 +39,10 @@ pub struct MachineConfig {
     pub control: Control,
     /// `[[m-function]]`.
     pub m_function: Vec<MFunction>,
-    /// `[[gear]]`.
-    pub gear: Vec<Gear>,
+    /// `[[axis]]`.
+    pub axis: Vec<Axis>,
+    /// `[[spindle]]`.
+    pub spindle: Vec<Spindle>,
     /// `[[key]]`.
     pub key: Vec<Key>,
     /// `[[fault]]`.
@@ -337,21 +335,6 @@ pub struct MFunction {
     pub number: u8,
     /// Its group, 1..=14.
     pub group: u8,
-}
-
-/// A gear of the spindle, in the order of M41 to M44.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub struct Gear {
-    /// Largest speed in rev/min.
-    pub max_speed: u32,
-    /// Spindle value at that speed, 0..=32767.
-    #[serde(default = "full_output")]
-    pub max_output: u16,
-}
-
-fn full_output() -> u16 {
-    0x7FFF
 }
 
 /// A key of the operator panel, pressed by name.

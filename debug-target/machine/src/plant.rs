@@ -104,17 +104,6 @@ impl Plant {
         let mut compiler = Compiler::new(resolve);
         let mut plant = Plant::default();
         plant.mount(config, &mut compiler);
-        for (index, axis) in config.axis.iter().enumerate() {
-            compiler.enter("axis", Some(index));
-            motion::settings::check(axis, &config.axis[..index], &mut compiler);
-            for switch in &axis.switch {
-                plant.switches.extend(AxisSwitch::compile(axis, switch, &mut compiler));
-            }
-        }
-        for (index, spindle) in config.spindle.iter().enumerate() {
-            compiler.enter("spindle", Some(index));
-            motion::spindle::check(spindle, &config.spindle[..index], &mut compiler);
-        }
         for (index, key) in config.key.iter().enumerate() {
             compiler.enter("key", Some(index));
             compiler.unique(&key.name, config.key[..index].iter().map(|k| k.name.as_str()));
@@ -186,6 +175,17 @@ impl Plant {
             compiler.enter("slide", Some(index));
             add(&element.name, Element::Slide(Slide::compile(element, compiler)));
         }
+        for (index, axis) in config.axis.iter().enumerate() {
+            compiler.enter("axis", Some(index));
+            motion::settings::check(axis, &config.axis[..index], compiler);
+            for switch in &axis.switch {
+                self.switches.extend(AxisSwitch::compile(axis, switch, compiler));
+            }
+        }
+        for (index, spindle) in config.spindle.iter().enumerate() {
+            compiler.enter("spindle", Some(index));
+            motion::spindle::check(spindle, &config.spindle[..index], compiler);
+        }
     }
 
     /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are.
@@ -220,13 +220,6 @@ impl Plant {
         events
     }
 
-    /// The axes are where they are now; their switches follow in the next [`Plant::step`].
-    pub fn place_axes(&mut self, motion: &Motion) {
-        for switch in &mut self.switches {
-            switch.place(motion);
-        }
-    }
-
     fn control_events(&mut self, world: World<'_>, events: &mut Vec<PlantEvent>) {
         let ControlKeys { start, stop, emergency_stop } = &mut self.control_keys;
         let mut down = |key: &mut Option<ControlKey>, event| {
@@ -237,6 +230,13 @@ impl Plant {
         down(emergency_stop, PlantEvent::Stop { emergency: true });
         down(stop, PlantEvent::Stop { emergency: false });
         down(start, PlantEvent::Start);
+    }
+
+    /// The axes are where they are now; their switches follow in the next [`Plant::step`].
+    pub fn place_axes(&mut self, motion: &Motion) {
+        for switch in &mut self.switches {
+            switch.place(motion);
+        }
     }
 
     /// The PLC starts: `at-cycle` counts from here. With `cold` every element is where it was at first; faults
@@ -339,6 +339,10 @@ impl Plant {
     }
 }
 
+fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> UnknownName {
+    UnknownName { name: name.to_string(), known: known.map(ToString::to_string).collect() }
+}
+
 /// 64-bit FNV-1a.
 struct Fnv(u64);
 
@@ -349,8 +353,4 @@ impl Write for Fnv {
             .fold(self.0, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
         Ok(())
     }
-}
-
-fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> UnknownName {
-    UnknownName { name: name.to_string(), known: known.map(ToString::to_string).collect() }
 }

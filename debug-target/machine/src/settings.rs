@@ -9,7 +9,7 @@ use crate::compile::Compiler;
 use crate::config::MachineConfig;
 use crate::drive::{Watch, World};
 
-/// A gear that M41 to M44 choose.
+/// A gear of the first spindle; M41 to M44 choose one of the first four.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SpindleGear {
     /// Largest speed in rev/min.
@@ -23,7 +23,7 @@ pub struct SpindleGear {
 pub struct ControlSettings {
     /// M functions and their groups.
     pub m_groups: Vec<(u8, u8)>,
-    /// Gears of the spindle, lowest first.
+    /// Gears of the first spindle, lowest first.
     pub gears: Vec<SpindleGear>,
     /// M01 stops.
     pub conditional_stop: bool,
@@ -97,23 +97,11 @@ pub(crate) fn settings(config: &MachineConfig, compiler: &mut Compiler<'_>) -> C
             compiler.error("number", "has a group already");
         }
     }
-    for (index, gear) in config.gear.iter().enumerate() {
-        compiler.enter("gear", Some(index));
-        if index >= 4 {
-            compiler.error("", "is the fifth; M41 to M44 choose one of four");
-        }
-        compiler.at_least("max-speed", gear.max_speed, 1);
-        if gear.max_output > 0x7FFF {
-            compiler.error("max-output", "must be 0 to 32767");
-        }
-        if index > 0 && config.gear[index - 1].max_speed >= gear.max_speed {
-            compiler.error("max-speed", "must be above that of the gear before");
-        }
-    }
+    let spindle = config.spindle.iter().find(|spindle| spindle.number == 1);
+    let gears = spindle.map_or(&[][..], |spindle| &spindle.gear);
     ControlSettings {
         m_groups: config.m_function.iter().map(|function| (function.number, function.group)).collect(),
-        gears: config
-            .gear
+        gears: gears
             .iter()
             .map(|gear| SpindleGear { max_speed: gear.max_speed, max_output: gear.max_output })
             .collect(),

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Drive, World};
-use crate::number::Thousandths;
+use crate::motion::Thousandths;
 use crate::signal::{INPUT_PORTS, InputBit};
 
 #[derive(Clone, Debug)]

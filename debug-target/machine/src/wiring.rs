@@ -7,6 +7,8 @@ use alloc::vec::Vec;
 use crate::config::{
     Block, Contact, Counter, Encoder, Fault, Key, Latch, Limit, MachineConfig, Ramp, Slide, Turret,
 };
+use crate::motion::Thousandths;
+use crate::motion::config::Axis;
 use crate::signal::{Signal, parse_port};
 
 /// What a signal does, or what is done to it.
@@ -49,6 +51,7 @@ pub fn wiring(config: &MachineConfig) -> Wiring {
     config.counter.iter().for_each(|e| counter(e, &mut wiring.of("counter", &e.name)));
     config.ramp.iter().for_each(|e| ramp(e, &mut wiring.of("ramp", &e.name)));
     config.slide.iter().for_each(|e| slide(e, &mut wiring.of("slide", &e.name)));
+    config.axis.iter().for_each(|e| axis(e, &mut wiring.of("axis", &axis_name(e))));
     config.key.iter().for_each(|e| key(e, &mut wiring));
     let control = &config.control;
     for (signals, text) in [
@@ -112,6 +115,12 @@ impl Element<'_> {
 
 fn any(names: &[String]) -> String {
     names.join(" or ")
+}
+
+/// A number without the zeros at its end.
+fn decimal(number: Thousandths) -> String {
+    let text = number.to_string();
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
 const fn level(on: bool) -> &'static str {
@@ -198,8 +207,8 @@ fn counter(e: &Counter, to: &mut Element<'_>) {
 }
 
 fn ramp(e: &Ramp, to: &mut Element<'_>) {
-    let rise = e.rise_per_s;
-    let fall = e.fall_per_s.unwrap_or(rise);
+    let rise = decimal(e.rise_per_s);
+    let fall = decimal(e.fall_per_s.unwrap_or(e.rise_per_s));
     if let Some(names) = &e.output {
         let text = format!("raises it to {} at {rise}/s; off: it falls to {} at {fall}/s", e.high, e.low);
         to.drives(&names.0, &text);
@@ -217,18 +226,30 @@ fn ramp(e: &Ramp, to: &mut Element<'_>) {
 }
 
 fn slide(e: &Slide, to: &mut Element<'_>) {
-    let speed = format!("{} mm/s, stroke {} mm", e.speed_mm_s, e.stroke_mm);
+    let speed = format!("{} mm/s, stroke {} mm", decimal(e.speed_mm_s), decimal(e.stroke_mm));
     to.drives(&e.forward.0, &format!("moves it forward at {speed}"));
     to.drives(&e.backward.0, &format!("moves it backward at {speed}"));
     if let (Some(names), Some(rapid)) = (&e.rapid, e.rapid_mm_s) {
-        to.drives(&names.0, &format!("moves it at {rapid} mm/s instead"));
+        to.drives(&names.0, &format!("moves it at {} mm/s instead", decimal(rapid)));
     }
     for switch in &e.switches {
-        let to_mm = crate::number::Thousandths(switch.at.0 + switch.width.0);
-        let text = format!("{} from {} mm to {to_mm} mm", level(!switch.invert), switch.at);
+        let to_mm = decimal(Thousandths(switch.at.0 + switch.width.0));
+        let text = format!("{} from {} mm to {to_mm} mm", level(!switch.invert), decimal(switch.at));
         to.driven(&switch.input, &text);
     }
     to.number(&e.position, "its position in 0.01 mm");
+}
+
+fn axis_name(e: &Axis) -> String {
+    if e.name.is_empty() { e.number.to_string() } else { e.name.clone() }
+}
+
+fn axis(e: &Axis, to: &mut Element<'_>) {
+    for switch in &e.switch {
+        let from = switch.from.map(|mm| format!(" from {} mm", decimal(mm))).unwrap_or_default();
+        let until = switch.to.map(|mm| format!(" up to {} mm", decimal(mm))).unwrap_or_default();
+        to.driven(&switch.input, &format!("{}{from}{until}", level(!switch.invert)));
+    }
 }
 
 fn key(e: &Key, wiring: &mut Wiring) {

@@ -120,6 +120,10 @@ pub(crate) struct BlockCycle {
     automatic_gear: bool,
     /// The program stops behind the block in progress.
     stop_behind: bool,
+    /// The block in progress, or the last one, runs backwards.
+    backward: bool,
+    /// The last block was finished.
+    finished: bool,
     /// Movement of the block in progress.
     motion_ms: u32,
     /// A stop was taken: the movement holds.
@@ -140,6 +144,8 @@ impl BlockCycle {
             running: false,
             automatic_gear: false,
             stop_behind: false,
+            backward: false,
+            finished: false,
             motion_ms: 0,
             stopped: false,
             stop_seen: false,
@@ -209,6 +215,8 @@ impl BlockCycle {
         prepared::write_all(memory, &self.groups, &block, self.queue.iter());
         self.stopped = false;
         self.stop_behind = block.is_stop(self.conditional_stop);
+        self.backward = block.has(BlockFlag::Backward);
+        self.finished = false;
         memory.set_flag(system::PO_STOP, false);
         memory.set_flag(system::PO_POL, false);
         memory.set_flag(system::PO_F, true);
@@ -278,12 +286,31 @@ impl BlockCycle {
     /// The block is finished. True when the program stops behind it: M00, or M01 where that counts.
     pub(crate) fn finish(&mut self, memory: &mut Memory) -> bool {
         self.end(memory);
+        self.finished = true;
         let stops = self.stop_behind && !self.queue.is_empty();
         self.running &= !stops && !self.queue.is_empty();
         if stops {
             memory.set_flag(system::PO_STOP, true);
         }
         stops
+    }
+
+    /// The status of the control as far as blocks make it (manual 8.3.6).
+    pub(crate) fn publish(&self, memory: &mut Memory) {
+        let busy = self.stage != Stage::Idle;
+        let in_position = memory.flag(system::INPOS);
+        let stop = memory.flag(system::PO_STOP);
+        for (bit, value) in [
+            (system::SF_RUN, busy && !self.stopped),
+            (system::SF_BLOCKINPROGR, busy),
+            (system::SF_BLOCKFINISHED, self.finished),
+            (system::SF_STOP, stop),
+            (system::SF_NOTINPOS, !in_position),
+            (system::SF_CONDSTOPMODE, self.conditional_stop),
+            (system::SF_BACKWARD, busy && self.backward),
+        ] {
+            memory.set_flag(bit, value);
+        }
     }
 
     /// The block is broken off, if there is one, and the program with it. True when there was one.

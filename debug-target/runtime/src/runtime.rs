@@ -227,6 +227,12 @@ impl Runtime {
         self.block.conditional_stop = stops;
     }
 
+    /// Blocks that wait for their turn, with those that are about to be queued.
+    pub fn waiting_blocks(&self) -> usize {
+        let coming = self.commands.iter().filter(|command| matches!(command, Command::StartBlock(_)));
+        self.block.queue.len() + coming.count()
+    }
+
     /// Outputs that have a short circuit now, one bit each. The control switches a driven one off and reports it in
     /// ERRLI_P0OUT …, until the program clears the bit there (manual 9.3).
     pub fn set_shorted(&mut self, outputs: &OutputImage) {

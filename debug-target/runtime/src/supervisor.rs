@@ -300,7 +300,11 @@ impl Runtime {
             Job::FastestInputs => world.control.inputs(Rate::Fastest, millis, memory.bytes_mut()),
             Job::FastestOutputs => world.control.outputs(Rate::Fastest, millis, memory.bytes_mut()),
             Job::Module(index) => return self.run_module(index, world),
-            Job::Block => return self.run_block(world),
+            Job::Block => {
+                let progress = self.run_block(world);
+                self.block.publish(&mut self.machine.memory);
+                return progress;
+            }
             Job::Events => return self.run_events(world),
             Job::StopRequests => self.take_stop_request(),
         }

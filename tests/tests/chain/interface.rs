@@ -102,19 +102,100 @@ fn a_short_circuit_is_told_and_confirmed() {
     // The bit of the port that the program's own byte names, as in the manual's example.
     let lines =
         "LDR I0 / WR O1 / LOD OB / STO P4OUT / LDR ERRLI_P4OUT.O1 / WR O7 / LDR I1 / FL1 0,ERRLI_P4OUT.O1";
-    let mut plc = Plc::of(lines);
+    let machine = "[[fault]]\nname = 'short'\noutput = 'P4OUT.1'\nshorted = true\nactive = true";
+    let mut plc = Plc::before(machine, lines);
     plc.set("I0=1");
-    let mut shorted = [0; 96];
-    shorted[4] = 0b10;
-    plc.runtime().set_shorted(&shorted);
+    let driven = |plc: &mut Plc| plc.runtime().outputs()[4] & 0b10;
     plc.run(2);
-    assert_eq!((plc.differences("O7=1"), plc.runtime().outputs()[4] & 0b10), (vec![], 0));
-    plc.runtime().set_shorted(&[0; 96]);
+    assert_eq!((plc.differences("O7=1"), driven(&mut plc)), (vec![], 0));
+    plc.fault_of_machine("short", false);
     plc.run(2);
-    assert_eq!((plc.differences("O7=1"), plc.runtime().outputs()[4] & 0b10), (vec![], 0));
+    assert_eq!((plc.differences("O7=1"), driven(&mut plc)), (vec![], 0));
     plc.set("I1=1");
     plc.run(2);
-    assert_eq!((plc.differences("O7=0"), plc.runtime().outputs()[4] & 0b10), (vec![], 0b10));
+    assert_eq!((plc.differences("O7=0"), driven(&mut plc)), (vec![], 0b10));
+}
+
+#[test]
+fn keys_of_the_panel_and_of_the_control_reach_the_program() {
+    let machine = "[control]\nstart = 'P2IN.0'\nstop = 'P2IN.1'\n[[m-function]]\nnumber = 91\ngroup = 10\n\
+                   [[spindle]]\nport = 1\ngear = [{ max-speed = 400 }, { max-speed = 800 }]\n\
+                   [[key]]\nname = 'light'\ncommand = 12\n[[key]]\nname = 'start'\ninput = 'P2IN.0'\n\
+                   [[key]]\nname = 'stop'\ninput = 'P2IN.1'\n\
+                   [[block]]\nat-cycle = 2\nm = [91, 40]\nspeed = 630\nmotion-ms = 400\nintegers = [7, 8]\naxes = [[2, 1.5]]\n\
+                   flags = ['rev-feed']\n[[block]]\nm = [3]";
+    let lines = "PROC_BEGIN _ON_CMD / WR O0 / STO D1 / PROC_END _ON_CMD / LOD PB03 / STO B1 / LDR M42PI / WR O1 / \
+                 LDR PO_STOP / WR O2 / LDR BLK[0].FirstBlock / LA -BLK[0].LastBlock / LA BLK[1].LastBlock / WR O3 / \
+                 LOD BLK[0].IPlcParams[1] / STO D2 / LOD BLK[0].REAL.AxNC[2] / STO REAL.R1 / LDR BLK[0].RevFeed / WR O4 / \
+                 LDR SF_RUN / WR O5";
+    let mut plc = Plc::before(machine, lines);
+    plc.press("light", true);
+    plc.run(1);
+    assert_eq!(plc.differences("O0=1 D1=12"), [""; 0]);
+    plc.press("light", false);
+    plc.run(3);
+    assert_eq!(plc.differences("O0=0 B1=91h O1=1 O2=0 O3=1 D2=8 REAL.R1=1.5 O4=1 O5=1"), [""; 0]);
+    plc.press("stop", true);
+    plc.run(3);
+    assert_eq!(plc.differences("O2=1 O5=0"), [""; 0]);
+    plc.press("start", true);
+    plc.run(2);
+    assert_eq!(plc.differences("O2=0 O5=1"), [""; 0]);
+}
+
+/// Twelve blocks, more than the control hands over at once; each counts W1 in MODULE_MAIN while it moves.
+fn long_program(first: &str) -> String {
+    let more = "[[block]]\nmotion-ms = 20\n".repeat(11);
+    format!(
+        "[[block]]\non = 'P1IN.0'\n{first}\nmotion-ms = 20\n{more}[control]\nstart = 'P1IN.1'\nstop = 'P1IN.2'"
+    )
+}
+
+/// Counts the blocks by their starts; D1 has the codes of events.
+const COUNT_BLOCKS: &str = "EDGE_H PO_F / JL0 L / LOD W1 / INR / STO W1 / L:";
+
+#[test]
+fn a_long_program_runs_to_its_end() {
+    let mut plc = Plc::before(&long_program(""), COUNT_BLOCKS);
+    plc.run(1);
+    plc.inputs()[0] = 1;
+    plc.run(60);
+    assert_eq!(plc.differences("W1=12"), [""; 0]);
+}
+
+#[test]
+fn m00_holds_a_long_program_and_start_goes_on_with_all_of_it() {
+    let mut plc = Plc::before(&long_program("m = [0]"), COUNT_BLOCKS);
+    plc.run(1);
+    plc.inputs()[0] = 1;
+    plc.run(30);
+    assert_eq!(plc.differences("W1=1"), [""; 0]);
+    plc.inputs()[0] = 3;
+    plc.run(60);
+    assert_eq!(plc.differences("W1=12"), [""; 0]);
+}
+
+#[test]
+fn a_stop_ends_a_long_program_also_while_its_start_is_held() {
+    for (hold, blocks) in [("LDR I0 / FL1 1,START_SUSPEND", 0), ("LDR I0", 2)] {
+        let suspend =
+            format!("PROC_BEGIN _ON_EVENT / {hold} / FL1 0,O0 / PROC_END _ON_EVENT / {COUNT_BLOCKS}");
+        let mut plc = Plc::before(&long_program(""), &suspend);
+        plc.set("I0=1");
+        plc.run(1);
+        plc.inputs()[0] = 1;
+        plc.run(2);
+        plc.inputs()[0] = 5; // the second block has begun when the stop is taken
+        plc.run(4);
+        plc.set("I0=0");
+        plc.inputs()[0] = 2;
+        plc.run(60);
+        assert_eq!(plc.differences(&format!("W1={blocks}")), [""; 0], "{hold}");
+        // The next program runs as a whole.
+        plc.inputs()[0] = 1;
+        plc.run(60);
+        assert_eq!(plc.differences(&format!("W1={}", blocks + 12)), [""; 0], "{hold}");
+    }
 }
 
 /// MODULE_MAIN with these lines, and the modules around the life of the PLC.

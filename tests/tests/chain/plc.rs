@@ -1,11 +1,14 @@
 //! A source text as a running PLC, and rows of tables about it.
 
+use std::path::Path;
+
 use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
+use technol_machine::MachineConfig;
 use technol_runtime::{Command, InputImage, Runtime};
-use technol_target::Simulation;
+use technol_target::{Simulation, parse_machine};
 
 use crate::frame;
 
@@ -80,11 +83,22 @@ impl Plc {
         Plc::from_source(frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n")))
     }
 
+    /// A program of these lines of MODULE_MAIN in front of a machine, past MODULE_INIT.
+    pub(crate) fn before(machine: &str, lines: &str) -> Plc {
+        let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
+        let machine = parse_machine(Path::new("machine.toml"), machine).expect("a machine");
+        Plc::load(frame::program(DATA, &main.join("\n"), ""), Some(&machine))
+    }
+
     /// A program of this text, past MODULE_INIT.
     pub(crate) fn from_source(source: String) -> Plc {
+        Plc::load(source, None)
+    }
+
+    fn load(source: String, machine: Option<&MachineConfig>) -> Plc {
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
+        let mut simulation = Simulation::new(built.image.program, machine).expect("it can be loaded");
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
@@ -119,6 +133,16 @@ impl Plc {
     /// Something the control does.
     pub(crate) fn command(&mut self, command: Command) {
         self.simulation.runtime_mut().command(command);
+    }
+
+    /// Switches a fault of the machine.
+    pub(crate) fn fault_of_machine(&mut self, name: &str, on: bool) {
+        self.simulation.plant_mut().set_fault(name, on).expect("a fault of the machine");
+    }
+
+    /// Presses or releases a key of the machine.
+    pub(crate) fn press(&mut self, name: &str, down: bool) {
+        self.simulation.plant_mut().press(name, down).expect("a key of the machine");
     }
 
     /// The PLC itself.

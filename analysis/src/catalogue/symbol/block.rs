@@ -324,6 +324,23 @@ mod tests {
     }
 
     #[test]
+    fn the_status_lies_where_the_target_writes_it() {
+        use technol_image::system;
+        for (name, place) in [
+            ("SF_RUN", system::SF_RUN),
+            ("SF_BLOCKINPROGR", system::SF_BLOCKINPROGR),
+            ("SF_BLOCKFINISHED", system::SF_BLOCKFINISHED),
+            ("SF_STOP", system::SF_STOP),
+            ("SF_NOTINPOS", system::SF_NOTINPOS),
+            ("SF_CONDSTOPMODE", system::SF_CONDSTOPMODE),
+            ("SF_BACKWARD", system::SF_BACKWARD),
+        ] {
+            let kind = symbol(name).unwrap().kind;
+            assert_eq!(kind, SystemKind::Bit { addr: place.addr, bit: place.bit }, "{name}");
+        }
+    }
+
+    #[test]
     fn predefined_symbols_end_before_the_records_of_the_blocks() {
         use technol_image::system::BLOCK_RECORDS;
         let end = |symbol: &SystemSymbol| match symbol.kind {

@@ -3,7 +3,9 @@
 use technol_image::op::{Arith, BitRef, Cond, Op, Source, Width};
 use technol_image::program::ModuleKind;
 use technol_image::system::{self, PB00};
-use technol_runtime::{Block, BlockMode, BlockReal, Command, Gear, Prepared, Rejection, RuntimeEvent};
+use technol_runtime::{
+    Block, BlockFlag, BlockFlags, BlockMode, BlockReal, Command, Gear, Prepared, Rejection, RuntimeEvent,
+};
 
 use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, indexed, ldr, mem, set, sto};
 
@@ -302,6 +304,48 @@ fn a_programmed_stop_holds_the_blocks_behind_it_until_the_next_start() {
         assert_eq!(block_events(&bench).len(), 4, "M{m:02}");
         assert!(!bench.bit(system::PO_STOP));
     }
+}
+
+/// RUN, BLOCKINPROGR, BLOCKFINISHED, STOP, NOTINPOS, CONDSTOPMODE, BACKWARD as a drawing.
+fn status(bench: &Bench) -> String {
+    let bits = [
+        system::SF_RUN,
+        system::SF_BLOCKINPROGR,
+        system::SF_BLOCKFINISHED,
+        system::SF_STOP,
+        system::SF_NOTINPOS,
+        system::SF_CONDSTOPMODE,
+        system::SF_BACKWARD,
+    ];
+    bits.iter().zip("RBFSNCK".chars()).map(|(bit, sign)| if bench.bit(*bit) { sign } else { '_' }).collect()
+}
+
+#[test]
+fn the_status_follows_the_block() {
+    let mut bench = machine();
+    bench.cycles(1);
+    let idle = status(&bench);
+    let flags = BlockFlags::default().with(BlockFlag::Backward);
+    let prepared = Some(Box::new(Prepared { flags, ..Prepared::default() }));
+    bench.plc.set_conditional_stop(true);
+    bench.command(Command::StartBlock(Block { m: vec![1], motion_ms: 60, prepared, ..Block::default() }));
+    bench.command(Command::StartBlock(block(&[], 0)));
+    let mut seen = vec![idle];
+    for cycle in 0..9 {
+        match cycle {
+            1 => bench.set(system::STOP_REQ, true),
+            3 => bench.command(Command::ContinueBlock),
+            _ => {}
+        }
+        bench.cycles(1);
+        seen.push(status(&bench));
+    }
+    let expected = [
+        "_______", "RB__NCK", "RB__NCK", // the request is taken at the end of the cycle
+        "_B_S_CK", "RB__NCK", "RB__NCK", "__F__C_", // the block behind is forgotten by the stop
+        "__F__C_", "__F__C_", "__F__C_",
+    ];
+    assert_eq!(seen, expected);
 }
 
 #[test]
