@@ -42,24 +42,28 @@ pub(crate) fn test(arguments: &TestArguments) -> Outcome {
     if !arguments.watch {
         return once(arguments, &mut Vec::new());
     }
+    let mut files = Vec::new();
     loop {
-        let mut files = Vec::new();
-        // A change while the tests run is a change, too.
-        let scenarios =
-            || discover::project_of(&arguments.path).map(|found| scenario_files(&found)).unwrap_or_default();
-        let early = watch::Look::at(scenarios());
-        match once(arguments, &mut files) {
-            Ok(_) => {}
-            Err(failure) => eprintln!("technol: {failure}"),
+        // What changes while the tests run is seen, too.
+        let known = files.clone();
+        let before = look(arguments, &known);
+        files.clear();
+        if let Err(failure) = once(arguments, &mut files) {
+            eprintln!("technol: {failure}");
         }
-        let paint = Paint::stdout();
-        say!("{}", paint.dim(format!("waiting for a change of {} files; Ctrl-C ends", files.len())));
-        let look = || watch::Look::at(files.iter().cloned().chain(scenarios()));
-        if early == watch::Look::at(scenarios()) {
-            watch::wait_for_change(&look(), look);
+        let number = crate::check::count(files.len() as u64, "file");
+        say!("{}", Paint::stdout().dim(format!("waiting for a change of {number}; Ctrl-C ends")));
+        if before == look(arguments, &known) {
+            watch::wait_for_change(&look(arguments, &files), || look(arguments, &files));
         }
         say!("");
     }
+}
+
+/// These files and all scenario files there are by now.
+fn look(arguments: &TestArguments, files: &[PathBuf]) -> watch::Look {
+    let scenarios = discover::project_of(&arguments.path).map(|found| scenario_files(&found));
+    watch::Look::at(files.iter().cloned().chain(scenarios.unwrap_or_default()))
 }
 
 /// One round. Whatever the tests depend on is added to `files`.

@@ -75,6 +75,28 @@ fn the_suite_of_the_lathe_passes_and_reaches_every_state() {
 }
 
 #[test]
+fn the_suite_of_the_lathe_notices_what_is_broken() {
+    for (file, old, new, filter, said) in [
+        ("include/lathe.inc", "EQUI T_DEAD,15", "EQUI T_DEAD,3", "M4 after M3", "expected  SP_CCW after 280 ms"),
+        ("spindle.plc", "FL   1,SP_BRAKE", "FL   0,SP_BRAKE", "M4 after M3", "expected  SP_BRAKE within 300 ms"),
+        ("spindle.plc", "ERR_SP_CCW\n", "ERR_SP_CW\n", "a dead contactor", "MESSAGE(403)"),
+        ("turret.plc", "TEX1 -,T_INDEXING,TC_ERROR", "TEX1 -,T_INDEXING,TC_END", "a strobe that stays", "F_TURRET"),
+        ("turret.plc", "        FL   0,T_CLAMP\n", "", "T5 M6", "expected  never T_"),
+        ("chuck.plc", "        CA\n        WR   CH_LOCKED", "        WR   CH_LOCKED", "stays closed", "FAILED"),
+        ("main.plc", "FL   0,SP_CW,SP_CCW,T_MOTOR,COOL_PUMP", "NOP", "emergency stop", "actual    SP_CW is 1"),
+        ("panel.plc", "        BEX ", "        NOP ", "the display", "expected  SHOW"),
+        ("lubrication.plc", "LA   -LUB_PRESS", "LA   LUB_PRESS", "no pressure ends", "MESSAGE(801)"),
+        ("coolant.plc", "CNST.30", "CNST.3", "a level that sways", "expected  never COOL_LOW"),
+    ] {
+        let lathe = Lathe::copy();
+        lathe.edit(file, old, new);
+        let ran = run(&["test", &lathe.path(""), "--filter", filter]);
+        assert_eq!(ran.code, Some(1), "{old}: {ran:?}");
+        assert!(ran.out.contains(said), "{old}: `{said}` in:\n{}", ran.out);
+    }
+}
+
+#[test]
 fn a_failed_test_tells_the_step_and_what_led_to_it() {
     let folder = project(&[GOOD, BAD].concat());
     let ran = run(&["test", &folder.path("plc.plc"), "--junit", &folder.path("out.xml")]);
@@ -87,8 +109,8 @@ fn a_failed_test_tells_the_step_and_what_led_to_it() {
         &place,
         "expected  COUNT == 1 within 300 ms",
         "actual    COUNT is 0",
-        "WORK waits at plc.plc:7 TEX0 -,10,LATE,55 (LDR GO)",
-        "message 55 at plc.plc:13",
+        "WORK waits at plc.plc:8 TEX0 -,10,LATE,55 (LDR GO)",
+        "message 55 at plc.plc:14",
         "WORK is idle",
         "1 passed, 1 failed; 0.32 s of PLC time",
     ] {
@@ -172,7 +194,7 @@ fn watching_runs_again_after_a_change_of_program_or_test() {
             }
         }
     });
-    let mut until = |wanted: &str| loop {
+    let until = |wanted: &str| loop {
         let line = lines.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|e| panic!("{wanted}: {e}"));
         if line.contains(wanted) {
             return;
