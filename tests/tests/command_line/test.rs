@@ -77,13 +77,43 @@ fn the_suite_of_the_lathe_passes_and_reaches_every_state() {
 #[test]
 fn the_suite_of_the_lathe_notices_what_is_broken() {
     for (file, old, new, filter, said) in [
-        ("include/lathe.inc", "EQUI T_DEAD,15", "EQUI T_DEAD,3", "M4 after M3", "expected  SP_CCW after 280 ms"),
-        ("spindle.plc", "FL   1,SP_BRAKE", "FL   0,SP_BRAKE", "M4 after M3", "expected  SP_BRAKE within 300 ms"),
+        (
+            "include/lathe.inc",
+            "EQUI T_DEAD,15",
+            "EQUI T_DEAD,3",
+            "M4 after M3",
+            "expected  SP_CCW after 280 ms",
+        ),
+        (
+            "spindle.plc",
+            "FL   1,SP_BRAKE",
+            "FL   0,SP_BRAKE",
+            "M4 after M3",
+            "expected  SP_BRAKE within 300 ms",
+        ),
         ("spindle.plc", "ERR_SP_CCW\n", "ERR_SP_CW\n", "a dead contactor", "MESSAGE(403)"),
-        ("turret.plc", "TEX1 -,T_INDEXING,TC_ERROR", "TEX1 -,T_INDEXING,TC_END", "a strobe that stays", "F_TURRET"),
+        (
+            "turret.plc",
+            "TEX1 -,T_INDEXING,TC_ERROR",
+            "TEX1 -,T_INDEXING,TC_END",
+            "a strobe that stays",
+            "F_TURRET",
+        ),
         ("turret.plc", "        FL   0,T_CLAMP\n", "", "T5 M6", "expected  never T_"),
-        ("chuck.plc", "        CA\n        WR   CH_LOCKED", "        WR   CH_LOCKED", "stays closed", "FAILED"),
-        ("main.plc", "FL   0,SP_CW,SP_CCW,T_MOTOR,COOL_PUMP", "NOP", "emergency stop", "actual    SP_CW is 1"),
+        (
+            "chuck.plc",
+            "        CA\n        WR   CH_LOCKED",
+            "        WR   CH_LOCKED",
+            "stays closed",
+            "FAILED",
+        ),
+        (
+            "main.plc",
+            "FL   0,SP_CW,SP_CCW,T_MOTOR,COOL_PUMP",
+            "NOP",
+            "emergency stop",
+            "actual    SP_CW is 1",
+        ),
         ("panel.plc", "        BEX ", "        NOP ", "the display", "expected  SHOW"),
         ("lubrication.plc", "LA   -LUB_PRESS", "LA   LUB_PRESS", "no pressure ends", "MESSAGE(801)"),
         ("coolant.plc", "CNST.30", "CNST.3", "a level that sways", "expected  never COOL_LOW"),
@@ -94,6 +124,18 @@ fn the_suite_of_the_lathe_notices_what_is_broken() {
         assert_eq!(ran.code, Some(1), "{old}: {ran:?}");
         assert!(ran.out.contains(said), "{old}: `{said}` in:\n{}", ran.out);
     }
+}
+
+#[test]
+fn the_first_test_of_the_documentation_passes() {
+    let page = std::fs::read_to_string(root().join("docs/testing.md")).expect("the page");
+    let (_, example) = page.split_once("```toml\n").expect("an example");
+    let (example, _) = example.split_once("```").expect("its end");
+    let lathe = Lathe::copy();
+    let file = lathe.path("tests/spindle.test.toml");
+    std::fs::write(&file, example).expect("the copy is writable");
+    let out = run(&["test", &file]).ok();
+    assert!(out.contains("1 passed"), "{out}");
 }
 
 #[test]

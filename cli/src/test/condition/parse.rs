@@ -266,18 +266,16 @@ fn find_comparison(text: &str, at: usize) -> Result<Option<(usize, &'static str,
         return Ok(None);
     };
     let rest = &text[place..];
-    match COMPARISONS.iter().find(|(sign, _)| rest.starts_with(sign)) {
-        Some((sign, comparison)) => Ok(Some((place, sign, *comparison))),
-        None => {
-            let sign = &rest[..1];
-            let message = match sign {
-                "=" => "`=` compares nothing; write ==".to_owned(),
-                "!" => "`!` stands before a name, or in !=".to_owned(),
-                _ => format!("`{sign}` is not known here; write {sign}{sign}"),
-            };
-            Err(Mistake { at: at + place, message })
-        }
+    if let Some((sign, comparison)) = COMPARISONS.iter().find(|(sign, _)| rest.starts_with(sign)) {
+        return Ok(Some((place, sign, *comparison)));
     }
+    let sign = &rest[..1];
+    let message = match sign {
+        "=" => "`=` compares nothing; write ==".to_owned(),
+        "!" => "`!` stands before a name, or in !=".to_owned(),
+        _ => format!("`{sign}` is not known here; write {sign}{sign}"),
+    };
+    Err(Mistake { at: at + place, message })
 }
 
 /// Parentheses belong to addresses and to MECH and MESSAGE: they do not group conditions.
