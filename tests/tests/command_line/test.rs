@@ -1,8 +1,7 @@
 //! `technol test`.
 
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -218,17 +217,25 @@ fn a_test_may_bring_its_own_machine_or_none() {
     run(&["test", &folder.path("plc.test.toml")]).failed(2, &["plc.test.toml:1:11", "own.toml:3", "P1IM.0"]);
 }
 
+/// A process that ends with this, however its test ends.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 #[test]
 fn watching_runs_again_after_a_change_of_program_or_test() {
     let folder = project(BAD);
-    let mut child = Command::new(technol())
-        .args(["test", &folder.path("plc.plc"), "--watch"])
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
+    let mut command = Command::new(technol());
+    command.args(["test", &folder.path("plc.plc"), "--watch"]).stdin(Stdio::null()).stdout(Stdio::piped());
+    let mut running = Running(command.spawn().expect("the program starts"));
     let (sender, lines) = mpsc::channel();
-    let output = child.stdout.take().expect("a pipe");
+    let output = running.0.stdout.take().expect("a pipe");
     std::thread::spawn(move || {
         for line in BufReader::new(output).lines().map_while(Result::ok) {
             if sender.send(line).is_err() {
@@ -236,21 +243,21 @@ fn watching_runs_again_after_a_change_of_program_or_test() {
             }
         }
     });
-    let until = |wanted: &str| loop {
-        let line = lines.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|e| panic!("{wanted}: {e}"));
-        if line.contains(wanted) {
-            return;
+    let until = |wanted: &str| {
+        loop {
+            let line =
+                lines.recv_timeout(Duration::from_secs(60)).unwrap_or_else(|e| panic!("{wanted}: {e}"));
+            if line.contains(wanted) {
+                return;
+            }
         }
     };
     until("0 passed, 1 failed");
-    until("waiting for a change");
-    // Ten cycles later the mechanism gives up; now the program does without GO.
+    // At once: a change between the last line of a round and the next look must not be lost.
     folder.write("plc.plc", program(DATA, &MAIN.replace("LDR GO", "LDR -GO"), "").as_bytes());
     until("1 passed");
     until("waiting for a change");
     folder.write("plc.test.toml", [BAD, GOOD].concat().as_bytes());
     until("2 tests in 1 file");
-    child.kill().expect("it runs until it is ended");
-    child.wait().expect("it has ended");
-    assert!(Path::new(&folder.path("plc.plc")).exists());
+    assert!(running.0.try_wait().expect("a process").is_none(), "it runs until it is ended");
 }
