@@ -36,39 +36,42 @@ use machines::Machines;
 use read::{Reader, ScenarioFile};
 use scenario::Test;
 use state::Mechanisms;
+use watch::Look;
 
 /// Runs the tests. Exit 0 when all pass; 1 when one fails or the program has errors; 2 for a broken scenario.
 pub(crate) fn test(arguments: &TestArguments) -> Outcome {
     if !arguments.watch {
-        return once(arguments, &mut Vec::new());
+        return once(arguments, &mut Look::default());
     }
     loop {
-        let mut files = Vec::new();
-        // A change while the tests run is a change, too.
-        let scenarios =
-            || discover::project_of(&arguments.path).map(|found| scenario_files(&found)).unwrap_or_default();
-        let early = watch::Look::at(scenarios());
-        match once(arguments, &mut files) {
-            Ok(_) => {}
-            Err(failure) => eprintln!("technol: {failure}"),
+        // Looked at before anything is read: what changes while the tests run is a change, too.
+        let mut look = Look::at(dependencies(arguments));
+        if let Err(failure) = once(arguments, &mut look) {
+            eprintln!("technol: {failure}");
         }
-        let paint = Paint::stdout();
-        say!("{}", paint.dim(format!("waiting for a change of {} files; Ctrl-C ends", files.len())));
-        let look = || watch::Look::at(files.iter().cloned().chain(scenarios()));
-        if early == watch::Look::at(scenarios()) {
-            watch::wait_for_change(&look(), look);
-        }
+        let number = crate::check::count(look.files().count() as u64, "file");
+        say!("{}", Paint::stdout().dim(format!("waiting for a change of {number}; Ctrl-C ends")));
+        watch::wait_for_change(&look, || {
+            let scenarios = discover::project_of(&arguments.path).map(|found| scenario_files(&found));
+            Look::at(look.files().cloned().chain(scenarios.unwrap_or_default()))
+        });
         say!("");
     }
 }
 
-/// One round. Whatever the tests depend on is added to `files`.
-fn once(arguments: &TestArguments, files: &mut Vec<PathBuf>) -> Outcome {
+/// The files of the project and its scenario files, as far as they can be found.
+fn dependencies(arguments: &TestArguments) -> Vec<PathBuf> {
+    let Ok(found) = discover::project_of(&arguments.path) else { return Vec::new() };
+    let project = Project::open(&found.project).map(|project| project.files().collect::<Vec<_>>());
+    project.unwrap_or_default().into_iter().chain(scenario_files(&found)).collect()
+}
+
+/// One round. What the tests depend on is added to `look`.
+fn once(arguments: &TestArguments, look: &mut Look) -> Outcome {
     let found = discover::project_of(&arguments.path)?;
     let project = Project::open(&found.project)?;
-    files.extend(project.files());
     let scenarios = scenario_files(&found);
-    files.extend(scenarios.iter().cloned());
+    project.files().chain(scenarios.iter().cloned()).for_each(|file| look.add(file));
     let built = crate::build::image(&project)?;
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
@@ -77,7 +80,7 @@ fn once(arguments: &TestArguments, files: &mut Vec<PathBuf>) -> Outcome {
     let names = Names { program: &program, debug: &debug, mechanisms: &mechanisms };
     let mut reader = Reader { names, machines: &mut machines, machine: project.machine() };
     let tests = read_all(&scenarios, &mut reader);
-    files.extend(machines.files().map(Path::to_owned));
+    look.join(machines.looked());
     let tests = tests?;
     if tests.is_empty() {
         return Err(Failure::usage(format!(

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use technol_machine::{INPUT_PORTS, MachineConfig, OUTPUT_PORTS, Plant};
 
+use super::watch::Look;
+
 /// A machine and what tests may name of it.
 #[derive(Debug, Default)]
 pub(super) struct Machine {
@@ -18,6 +20,7 @@ pub(super) struct Machine {
 #[derive(Debug, Default)]
 pub(super) struct Machines {
     list: Vec<(Choice, Machine)>,
+    looked: Look,
 }
 
 /// Which machine, and whether its part program runs.
@@ -34,7 +37,10 @@ impl Machines {
             return Ok(known);
         }
         let machine = match &choice.file {
-            Some(file) => Machine::read(file, choice.part_program)?,
+            Some(file) => {
+                self.looked.add(file.clone());
+                Machine::read(file, choice.part_program)?
+            }
             None => Machine::default(),
         };
         self.list.push((choice.clone(), machine));
@@ -52,9 +58,9 @@ impl Machines {
         &self.list[number].1
     }
 
-    /// The files that were read.
-    pub(super) fn files(&self) -> impl Iterator<Item = &Path> {
-        self.list.iter().filter_map(|(choice, _)| choice.file.as_deref())
+    /// The files that were read, as they were before.
+    pub(super) fn looked(&self) -> &Look {
+        &self.looked
     }
 }
 

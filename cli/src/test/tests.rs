@@ -128,7 +128,7 @@ impl Fixture {
     /// The mistakes of a scenario that is wrong, one a line.
     fn mistakes(&mut self, text: &str) -> String {
         let errors = self.read(text).expect_err("it is wrong");
-        errors.iter().map(|error| format!("{error}\n")).collect()
+        errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
     }
 
     fn run(&self, test: &Test) -> Verdict {

@@ -10,19 +10,38 @@ const PERIOD: Duration = Duration::from_millis(250);
 /// What tells one content of a file from another; nothing for one that is not there.
 type Print = Option<(SystemTime, u64)>;
 
-/// Files as they were at one moment.
-#[derive(Debug, PartialEq, Eq)]
+/// Files, each as it was before it was read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Look {
     prints: BTreeMap<PathBuf, Print>,
 }
 
 impl Look {
+    /// The files as they are now.
     pub(super) fn at(files: impl IntoIterator<Item = PathBuf>) -> Look {
+        let mut look = Look::default();
+        files.into_iter().for_each(|file| look.add(file));
+        look
+    }
+
+    /// One more file as it is now; one that is there already stays as it was.
+    pub(super) fn add(&mut self, file: PathBuf) {
         let print = |file: &PathBuf| {
             let data = std::fs::metadata(file).ok()?;
             Some((data.modified().ok()?, data.len()))
         };
-        Look { prints: files.into_iter().map(|file| (file.clone(), print(&file))).collect() }
+        self.prints.entry(file).or_insert_with_key(print);
+    }
+
+    /// Adds the files of another look, as they were there.
+    pub(super) fn join(&mut self, other: &Look) {
+        for (file, print) in &other.prints {
+            self.prints.entry(file.clone()).or_insert(*print);
+        }
+    }
+
+    pub(super) fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.prints.keys()
     }
 }
 
@@ -62,6 +81,11 @@ mod tests {
         assert_eq!(short, look());
         std::fs::write(&file, "ab").unwrap();
         assert_ne!(short, look());
+        let mut early = Look::default();
+        early.join(&short);
+        early.add(file.clone());
+        assert_eq!(early, short, "what it was before it was read counts");
+        assert_eq!(early.files().collect::<Vec<_>>(), [&file]);
         std::fs::remove_dir_all(&folder).unwrap();
         assert_eq!(none, look());
     }
