@@ -13,6 +13,7 @@ use technol_image::op::{
 use technol_image::program::{Message, Program, SequenceKind, Timed};
 use technol_image::service::{Arg, ServiceCall};
 
+use super::assembler;
 use super::debug_info::memory_of;
 
 /// Writes operations of one program with its names.
@@ -96,6 +97,9 @@ impl<'a> Disassembler<'a> {
                 format!("MOVR{} {},{}{}", suffix(*cond), self.bit(dst), sign(*neg), self.bit(src))
             }
             Op::Jump { target, cond } => format!("{} {target:04X}h", jump(*cond)),
+            Op::AssemblerJump { condition, target } => {
+                format!("{} {target:04X}h", assembler::jump(*condition))
+            }
             Op::Raster { rate, end } => format!("{} {end:04X}h", raster(*rate)),
             Op::Timer { count, width } => format!("TM {}", self.place(*count, *width)),
             Op::Counter { op, count, width, state } => {
@@ -152,6 +156,10 @@ impl<'a> Disassembler<'a> {
             Op::RloToDr(width) => format!("CONRD{}", width_keyword(*width)),
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
+            Op::Assembler { function, width, to, from } => {
+                let cell = |place: &Place| self.place(*place, *width);
+                assembler::text(*function, to, from, cell)
+            }
             other => format!("{other:?}"),
         }
     }

@@ -247,7 +247,8 @@ impl Runtime {
     /// Sets these registers; a stack depth above 8 counts as 8.
     pub fn set_registers(&mut self, registers: Registers) {
         let depth = registers.depth.min(technol_image::op::STACK_DEPTH as u8);
-        self.focused_mut().regs = Registers { depth, ..registers };
+        let eax = registers.eax & !crate::assembler::RLO;
+        self.focused_mut().regs = Registers { depth, eax, ..registers };
     }
 
     /// Call levels of the held program, innermost first; empty while it runs.
@@ -283,11 +284,13 @@ impl Runtime {
         hash.add(self.memory());
         hash.add(&self.outputs);
         for ctx in [&self.main, &self.fast, &self.cont] {
-            let Registers { rlo, dr, dr_real, bx, stack, depth } = ctx.regs;
+            let Registers { rlo, dr, dr_real, bx, stack, depth, eax, flags } = ctx.regs;
             hash.add(&[u8::from(rlo), stack, depth]);
             hash.add(&dr.to_le_bytes());
             hash.add(&dr_real.to_bits().to_le_bytes());
             hash.add(&bx.to_le_bytes());
+            hash.add(&eax.to_le_bytes());
+            hash.add(&flags.to_le_bytes());
         }
         hash.add(&self.machine.millis.to_le_bytes());
         hash.add(&[self.state as u8]);
