@@ -122,6 +122,13 @@ fn jumps_and_loops() {
         ("", "MOV ECX,10000h / JCXZ L / FL 1,O0 / L: / JECXZ M / FL 1,O1 / M:", "OB=2"),
         ("", "MOV ECX,0 / JECXZ L / FL 1,O0 / L: / FL 1,O1", "OB=2"),
         ("", "MOV ECX,1 / JCXZ L / FL 1,O0 / L: / FL 1,O1", "OB=3"),
+        // In a macro, with a label of each call.
+        (
+            "W1=200 W2=50",
+            "DEF_T_MACRO CLIPPED CELL,MOST / T_LOCAL FITS / MOV AX,CELL / CMP AX,MOST / JBE FITS / MOV CELL,MOST / FITS: / \
+             END_T_MACRO / CLIPPED W1,100 / CLIPPED W2,100",
+            "W1=100 W2=50",
+        ),
     ]);
 }
 
