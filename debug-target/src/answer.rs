@@ -144,7 +144,8 @@ impl TargetCore {
     }
 
     fn set_registers(&mut self, registers: Registers) -> Answer {
-        self.held()?.runtime_mut().set_registers(convert::registers_back(registers));
+        let runtime = self.held()?.runtime_mut();
+        runtime.set_registers(convert::registers_back(registers, runtime.registers()));
         Ok(Response::Done)
     }
 

@@ -15,7 +15,7 @@ use technol_image::service::{Arg, ServiceCall};
 
 use technol_image::system::BLOCK_WINDOW;
 
-use super::block_names;
+use super::{assembler, block_names};
 use super::debug_info::memory_of;
 
 /// Writes operations of one program with its names.
@@ -99,6 +99,9 @@ impl<'a> Disassembler<'a> {
                 format!("MOVR{} {},{}{}", suffix(*cond), self.bit(dst), sign(*neg), self.bit(src))
             }
             Op::Jump { target, cond } => format!("{} {target:04X}h", jump(*cond)),
+            Op::AssemblerJump { condition, target } => {
+                format!("{} {target:04X}h", assembler::jump(*condition))
+            }
             Op::Raster { rate, end } => format!("{} {end:04X}h", raster(*rate)),
             Op::Timer { count, width } => format!("TM {}", self.place(*count, *width)),
             Op::Counter { op, count, width, state } => {
@@ -156,6 +159,10 @@ impl<'a> Disassembler<'a> {
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
             Op::SelectBlock { offset, len } => format!("{{BLK[BX]: {len} bytes at {offset}}}"),
+            Op::Assembler { function, width, to, from } => {
+                let cell = |place: &Place| self.place(*place, *width);
+                assembler::text(*function, to, from, cell)
+            }
             other => format!("{other:?}"),
         }
     }

@@ -146,8 +146,15 @@ impl Lowering {
             | Form::Shift { .. }
             | Form::DrToRlo
             | Form::RloToDr
-            | Form::IntToReal
-            | Form::Mov => return self.register(form, operands),
+            | Form::IntToReal => return self.register(form, operands),
+            Form::Assembler(function) => {
+                let op = self.code.assembler(function, operands.name, operands.list)?;
+                self.emit(op);
+            }
+            Form::AssemblerJump(condition) => {
+                self.jump(operands.label(0)?);
+                self.emit(Op::AssemblerJump { condition, target: 0 });
+            }
             Form::Call | Form::SeqInit => {
                 let Some(Operand::Procedure(key) | Operand::Mechanism(key)) = operands.get(0) else {
                     return Err(operands.problem(0));
@@ -322,10 +329,6 @@ impl Lowering {
                 },
                 _ => Op::DrToRlo(DrTest::NonZero(width(0)?)),
             },
-            Form::Mov => match operands.list {
-                [to, from] if is_word(to, "BX") && is_word(from, "CX") => Op::IndexFromDr,
-                _ => return Err(ProblemKind::NotExecutable("MOV other than MOV BX,CX".to_owned())),
-            },
             _ => Op::IncrementBcd,
         };
         self.emit(op);
@@ -439,7 +442,12 @@ impl Lowering {
             match jump {
                 Jump::Op(op) => {
                     let op = self.code.ops.get_mut(op as usize);
-                    if let Some(Op::Jump { target, .. } | Op::Raster { end: target, .. }) = op {
+                    if let Some(
+                        Op::Jump { target, .. }
+                        | Op::AssemblerJump { target, .. }
+                        | Op::Raster { end: target, .. },
+                    ) = op
+                    {
                         *target = found;
                     }
                 }
@@ -482,14 +490,6 @@ fn counter_width(width: Option<Width>) -> Option<Width> {
         None => Some(Width::Word),
         Some(width @ (Width::Byte | Width::Word)) => Some(width),
         Some(_) => None,
-    }
-}
-
-fn is_word(operand: &Operand, word: &str) -> bool {
-    match operand {
-        Operand::Keyword(given) => *given == word,
-        Operand::Text(given) => **given == *word,
-        _ => false,
     }
 }
 

@@ -1,5 +1,6 @@
 //! Which operation an instruction becomes.
 
+use technol_image::assembler::{Condition, Function};
 use technol_image::op::{Arith, Compare, Cond, Count, Logic, Raster, Unary};
 use technol_image::service::Service;
 
@@ -53,8 +54,9 @@ pub(super) enum Form {
     Message(Cond),
     /// Carried out by the control, or by the runtime as a whole.
     Service(Service),
-    /// `MOV BX,CX`.
-    Mov,
+    /// An 80386 instruction.
+    Assembler(Function),
+    AssemblerJump(Condition),
     InitFinished,
     DoneFinished,
 }
@@ -106,6 +108,7 @@ const FORMS: &[(&str, Form)] = &[
     ("INV", Form::Unary(Unary::Negate)),
     ("JL0", Form::Jump(Cond::IfNotRlo)),
     ("JL1", Form::Jump(Cond::IfRlo)),
+    ("JMP", Form::Jump(Cond::Always)),
     ("JUM", Form::Jump(Cond::Always)),
     ("LA", Form::Logic(Logic::And)),
     ("LDR", Form::Ldr),
@@ -117,7 +120,6 @@ const FORMS: &[(&str, Form)] = &[
     ("MECH_INIT", Form::SeqInit),
     ("MODULE_DONE_FINISHED", Form::DoneFinished),
     ("MODULE_INIT_FINISHED", Form::InitFinished),
-    ("MOV", Form::Mov),
     ("MOVE", Form::Move(Cond::Always)),
     ("MOVE1", Form::Move(Cond::IfRlo)),
     ("MOVR", Form::MoveBit(Cond::Always)),
@@ -163,7 +165,8 @@ pub(super) fn form(mnemonic: &str) -> Option<Form> {
     if let Ok(found) = FORMS.binary_search_by(|(name, _)| (*name).cmp(mnemonic)) {
         return FORMS.get(found).map(|(_, form)| *form);
     }
-    SERVICES.iter().find(|service| service.name() == mnemonic).map(|service| Form::Service(*service))
+    let service = SERVICES.iter().find(|service| service.name() == mnemonic);
+    service.map(|service| Form::Service(*service)).or_else(|| super::assembler::form(mnemonic))
 }
 
 #[cfg(test)]

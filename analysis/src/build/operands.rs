@@ -15,7 +15,7 @@ impl SectionCode {
         (self.slots.len() - 1) as u32
     }
 
-    fn address(&mut self, address: &Address) -> Place {
+    pub(super) fn address(&mut self, address: &Address) -> Place {
         let slot = Slot::Symbol { key: address.symbol.clone(), offset: address.offset };
         Place { addr: self.slot(slot), indexed: address.indexed }
     }

@@ -1,5 +1,6 @@
 //! Gives one operation its final addresses.
 
+use technol_image::assembler;
 use technol_image::op::{Addr, BitRef, Op, Pc, Place, Source, Width};
 use technol_image::program::{Message, RegionKind, Timed};
 use technol_image::service::{Arg, ServiceCall};
@@ -51,7 +52,7 @@ impl Relocation<'_> {
                 self.bit(dst)?;
                 self.bit(src)
             }
-            Op::Jump { target, .. } | Op::Raster { end: target, .. } => {
+            Op::Jump { target, .. } | Op::AssemblerJump { target, .. } | Op::Raster { end: target, .. } => {
                 self.target(target);
                 Ok(())
             }
@@ -72,6 +73,14 @@ impl Relocation<'_> {
             Op::Copy { src, dst, len } => {
                 self.place(src, *len)?;
                 self.place(dst, *len)
+            }
+            Op::Assembler { width, to, from, .. } => {
+                for operand in [to, from] {
+                    if let assembler::Operand::Cell(place) = operand {
+                        self.place(place, width.bytes())?;
+                    }
+                }
+                Ok(())
             }
             Op::Clear { addr, len } => self.clear(addr, len),
             Op::Call(index) => self.named(index, |key| self.addresses.procedure(key)),

@@ -1,7 +1,7 @@
 //! Chapter 3.1: 80386 instructions, which a program may mix with TECHNOL.
 //!
-//! CLI, STI, NOP and `MOV BX,CX` have a meaning here. The other integer instructions are known by name, so that
-//! none is reported as unknown, and refused by `build`.
+//! CLI, STI, NOP, moves, sums, logic, shifts, comparisons and jumps have a meaning here. The other integer instructions
+//! are known by name, so that none is reported as unknown, and refused by `build`.
 
 use super::entry::{Bilingual, Effect, Entry, OperandKind, OperandSpec};
 use super::pattern::{INSTRUCTION, example, form, operand, text};
@@ -25,19 +25,89 @@ const KNOWN_ONLY: Bilingual = text(
      TECHNOL.",
 );
 
-const CHECKED: Bilingual = text(
-    "Its operands are checked: registers AL to DH, AX to DX, EAX to EDX and the index registers, cells and numbers, of \
-     one width and at most one of them a cell; a shift count is a number or CL, a jump leads to a label of the same \
-     section. `build` refuses it all the same (this implementation): write the same with instructions of TECHNOL. \
-     Between instructions of TECHNOL RLO is bit 40h of AH and DR is ECX.",
-    "Operandy se kontrolují: registry AL až DH, AX až DX, EAX až EDX a indexové, buňky a čísla, stejné šířky a \
-     nejvýše jeden z nich buňka; počet posunů je číslo nebo CL, skok vede na návěští téže sekce. Překlad ji přesto \
-     odmítne (tato implementace): zapište totéž instrukcemi jazyka TECHNOL. Mezi instrukcemi jazyka TECHNOL je RLO \
-     bit 40h registru AH a DR je ECX.",
+/// Two operands of one width.
+const TWO: &[OperandSpec] = &[
+    operand(
+        "target",
+        OperandKind::Any,
+        "Register or cell, which takes the result",
+        "Registr nebo buňka, kam přijde výsledek",
+    ),
+    operand("source", OperandKind::Any, "Register, cell or number", "Registr, buňka nebo číslo"),
+];
+const ONE: &[OperandSpec] =
+    &[operand("target", OperandKind::Any, "Register or cell", "Registr nebo buňka")];
+const SHIFTED: &[OperandSpec] = &[
+    operand("target", OperandKind::Any, "Register or cell that is shifted", "Posouvaný registr nebo buňka"),
+    operand(
+        "count",
+        OperandKind::Number { min: 0, max: 31 },
+        "Number of bits, or CL",
+        "Počet bitů, nebo CL",
+    ),
+];
+const TO_LABEL: &[OperandSpec] = &[operand(
+    "label",
+    OperandKind::Label,
+    "Label of the same section to continue at",
+    "Návěští téže sekce, na kterém se pokračuje",
+)];
+
+const CALCULATED: Bilingual = text(
+    "Operands are AL to DH, AX to DX and EAX to EDX, cells and numbers, of one width (8, 16 or 32 bits) and at most one \
+     of them a cell; a prefix gives a cell another width. Between instructions of TECHNOL RLO is bit 40h of AH, DR is \
+     ECX with EDX above it, and BX is the index; an instruction that writes BX clears the upper half of EBX (this \
+     implementation). The flags are those of the 80386 and stay until the next 80386 instruction that sets them (this \
+     implementation). `build` refuses SI, DI, BP, SP and the segment registers (this implementation). A cell `[BX]` \
+     outside memory is a run-time fault (this implementation).",
+    "Operandy jsou AL až DH, AX až DX a EAX až EDX, buňky a čísla, stejné šířky (8, 16 nebo 32 bitů) a nejvýše jeden z \
+     nich buňka; prefix dá buňce jinou šířku. Mezi instrukcemi jazyka TECHNOL je RLO bit 40h registru AH, DR je ECX a \
+     nad ním EDX, BX je index; instrukce, která zapisuje BX, vynuluje horní polovinu EBX (tato implementace). Příznaky \
+     jsou příznaky 80386 a platí do další instrukce 80386, která je nastaví (tato implementace). SI, DI, BP, SP a \
+     segmentové registry překlad odmítne (tato implementace). Buňka `[BX]` mimo paměť způsobí chybu za běhu (tato \
+     implementace).",
+);
+const JUMPED: Bilingual = text(
+    "Tests the flags that the last 80386 instruction set and leaves them as they are; instructions of TECHNOL do not \
+     touch them (this implementation). RLO and DR stay, and so does an open equation. The label must lie in the same \
+     module, mechanism or procedure (this implementation).",
+    "Testuje příznaky, které nastavila poslední instrukce 80386, a nemění je; instrukce jazyka TECHNOL se jich \
+     nedotknou (tato implementace). RLO, DR ani rozpracovaná rovnice se nemění. Návěští musí ležet v témže modulu, \
+     mechanismu nebo proceduře (tato implementace).",
 );
 
-const fn checked(name: &'static str, summary: Bilingual) -> Entry {
-    Entry { description: CHECKED, ..known(name, summary) }
+/// An instruction that changes its first operand.
+const CHANGES: Entry = Entry {
+    chapter: CHAPTER,
+    operands: TWO,
+    reads: &[Effect::Dr, Effect::Memory],
+    writes: &[Effect::Dr, Effect::Memory],
+    description: CALCULATED,
+    ..INSTRUCTION
+};
+
+/// A conditional jump: name, when it jumps.
+macro_rules! jump {
+    ($name:literal, $en:literal, $cs:literal) => {
+        Entry {
+            name: $name,
+            chapter: CHAPTER,
+            forms: &[form(concat!($name, " label"))],
+            operands: TO_LABEL,
+            summary: text(
+                concat!("80386 instruction: jumps when ", $en, "."),
+                concat!("Instrukce 80386: skočí, když ", $cs, "."),
+            ),
+            description: JUMPED,
+            examples: &[example(
+                concat!("        CMP  ECX,10\n        ", $name, "  DONE\n        FL   1,LAMP\nDONE:"),
+                concat!("Sets LAMP unless, after comparing DR with 10, ", $en, "."),
+                concat!("Nastaví LAMP, pokud po porovnání DR s 10 neplatí, že ", $cs, "."),
+            )],
+            related: &["CMP", "JMP", "JL1"],
+            ..INSTRUCTION
+        }
+    };
 }
 
 const fn known(name: &'static str, summary: Bilingual) -> Entry {
@@ -82,7 +152,7 @@ pub enum AssemblerForm {
     One,
     /// A value, and how far it is shifted: a number or CL.
     Shift,
-    /// A conditional jump to a label.
+    /// A jump to a label.
     Jump,
 }
 
@@ -107,8 +177,7 @@ pub(super) fn form_of(name: &str) -> Option<AssemblerForm> {
         "ADD" | "SUB" | "AND" | "OR" | "XOR" | "CMP" => Some(AssemblerForm::Two),
         "INC" | "DEC" => Some(AssemblerForm::One),
         "SHL" | "SHR" => Some(AssemblerForm::Shift),
-        "JCXZ" | "JECXZ" | "JMP" => None,
-        _ if name.starts_with('J') && name.len() <= 4 => Some(AssemblerForm::Jump),
+        _ if name.starts_with('J') => Some(AssemblerForm::Jump),
         _ => None,
     }
 }
@@ -174,49 +243,65 @@ pub(super) static ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "MOV",
-        chapter: CHAPTER,
-        forms: &[form("MOV BX,CX")],
-        operands: &[
-            operand(
-                "target",
-                OperandKind::Any,
-                "Register that receives the value",
-                "Registr, který hodnotu dostane",
-            ),
-            operand(
-                "source",
-                OperandKind::Any,
-                "Register the value comes from",
-                "Registr, ze kterého se hodnota bere",
-            ),
-        ],
-        reads: &[Effect::Dr],
+        forms: &[form("MOV BX,CX"), form("MOV target,source")],
         summary: text(
-            "`MOV BX,CX` loads the index register BX with the lower 16 bits of DR.",
-            "`MOV BX,CX` naplní indexový registr BX spodními 16 bity DR.",
-        ),
-        description: text(
-            "CX is the lower half of DR, so this is the way an index computed in DR gets to BX. RLO and DR \
-             stay. Other registers and operands are known, but `build` refuses them (this implementation).",
-            "CX je spodní polovina DR, touto cestou se tedy index spočtený v DR dostane do BX. RLO ani DR se \
-             nemění. Jiné registry a operandy editor zná, překlad je ale odmítne (tato implementace).",
+            "Copies a value; `MOV BX,CX` loads the index register BX with the lower 16 bits of DR.",
+            "Zkopíruje hodnotu; `MOV BX,CX` naplní indexový registr BX spodními 16 bity DR.",
         ),
         examples: &[example(
             concat!("        LOD  INDEX\n", "        MOV  BX,CX\n", "        LOD  BYTE.TABLE[BX]"),
             "Loads the byte of TABLE that INDEX selects.",
             "Načte slabiku tabulky TABLE, kterou vybírá INDEX.",
         )],
-        related: &["BX", "LOD"],
-        ..INSTRUCTION
+        related: &["BX", "LOD", "ADD"],
+        ..CHANGES
     },
-    checked("ADD", ARITHMETIC),
+    Entry {
+        name: "ADD",
+        forms: &[form("ADD target,source")],
+        summary: text("80386 instruction: adds the source to the target.", "Instrukce 80386: přičte zdroj k cíli."),
+        examples: &[example("        ADD  ECX,5", "Adds 5 to DR.", "Přičte 5 k DR.")],
+        related: &["SUB", "INC", "AD"],
+        ..CHANGES
+    },
     known("ADC", ARITHMETIC),
-    checked("SUB", ARITHMETIC),
+    Entry {
+        name: "SUB",
+        forms: &[form("SUB target,source")],
+        summary: text("80386 instruction: subtracts the source from the target.", "Instrukce 80386: odečte zdroj od cíle."),
+        examples: &[example("        SUB  ECX,5", "Subtracts 5 from DR.", "Odečte 5 od DR.")],
+        related: &["ADD", "DEC", "CMP", "SU"],
+        ..CHANGES
+    },
     known("SBB", ARITHMETIC),
-    checked("INC", ARITHMETIC),
-    checked("DEC", ARITHMETIC),
+    Entry {
+        name: "INC",
+        forms: &[form("INC target")],
+        operands: ONE,
+        summary: text("80386 instruction: adds 1; the carry flag stays.", "Instrukce 80386: přičte 1; příznak přenosu se nemění."),
+        examples: &[example("        INC  CX", "Adds 1 to the lower 16 bits of DR.", "Přičte 1 ke spodním 16 bitům DR.")],
+        related: &["DEC", "ADD", "INR"],
+        ..CHANGES
+    },
+    Entry {
+        name: "DEC",
+        forms: &[form("DEC target")],
+        operands: ONE,
+        summary: text("80386 instruction: subtracts 1; the carry flag stays.", "Instrukce 80386: odečte 1; příznak přenosu se nemění."),
+        examples: &[example("        DEC  CX", "Subtracts 1 from the lower 16 bits of DR.", "Odečte 1 od spodních 16 bitů DR.")],
+        related: &["INC", "SUB", "DCR"],
+        ..CHANGES
+    },
     known("NEG", ARITHMETIC),
-    checked("CMP", ARITHMETIC),
+    Entry {
+        name: "CMP",
+        forms: &[form("CMP target,source")],
+        summary: text("80386 instruction: sets the flags of target minus source and nothing else.", "Instrukce 80386: nastaví příznaky rozdílu cíl minus zdroj a nic jiného."),
+        examples: &[example(concat!("        CMP  ECX,10\n", "        JAE  DONE\n", "        FL   1,LAMP\n", "DONE:"), "Sets LAMP when DR is below 10.", "Nastaví LAMP, když je DR menší než 10.")],
+        related: &["SUB", "JE", "JL", "JB", "EQ"],
+        writes: &[],
+        ..CHANGES
+    },
     known("MUL", ARITHMETIC),
     known("IMUL", ARITHMETIC),
     known("DIV", ARITHMETIC),
@@ -227,14 +312,51 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("AAS", ARITHMETIC),
     known("DAA", ARITHMETIC),
     known("DAS", ARITHMETIC),
-    checked("AND", LOGIC),
-    checked("OR", LOGIC),
-    checked("XOR", LOGIC),
+    Entry {
+        name: "AND",
+        forms: &[form("AND target,source")],
+        summary: text("80386 instruction: bitwise AND.", "Instrukce 80386: logický součin po bitech."),
+        examples: &[example("        AND  ECX,0FFh", "Keeps the lowest byte of DR32.", "Ponechá z DR32 nejnižší bajt.")],
+        related: &["OR", "XOR", "ANDB"],
+        ..CHANGES
+    },
+    Entry {
+        name: "OR",
+        forms: &[form("OR target,source")],
+        summary: text("80386 instruction: bitwise OR.", "Instrukce 80386: logický součet po bitech."),
+        examples: &[example("        OR   AH,40h", "Sets RLO.", "Nastaví RLO.")],
+        related: &["AND", "XOR", "ORB"],
+        ..CHANGES
+    },
+    Entry {
+        name: "XOR",
+        forms: &[form("XOR target,source")],
+        summary: text("80386 instruction: bitwise exclusive OR.", "Instrukce 80386: výlučný součet po bitech."),
+        examples: &[example("        XOR  AH,40h", "Negates RLO.", "Neguje RLO.")],
+        related: &["AND", "OR", "XORB"],
+        ..CHANGES
+    },
     known("NOT", LOGIC),
     known("TEST", LOGIC),
-    checked("SHL", LOGIC),
+    Entry {
+        name: "SHL",
+        forms: &[form("SHL target,n")],
+        operands: SHIFTED,
+        summary: text("80386 instruction: shifts left by 0 to 31 bits; of CL the lower 5 bits count.", "Instrukce 80386: posune vlevo o 0 až 31 bitů; z CL platí spodních 5 bitů."),
+        examples: &[example("        SHL  ECX,2", "Multiplies DR32 by 4.", "Vynásobí DR32 čtyřmi.")],
+        related: &["SHR", "RL"],
+        ..CHANGES
+    },
     known("SAL", LOGIC),
-    checked("SHR", LOGIC),
+    Entry {
+        name: "SHR",
+        forms: &[form("SHR target,n")],
+        operands: SHIFTED,
+        summary: text("80386 instruction: shifts right by 0 to 31 bits, filling with 0; of CL the lower 5 bits count.", "Instrukce 80386: posune vpravo o 0 až 31 bitů a doplní nuly; z CL platí spodních 5 bitů."),
+        examples: &[example("        SHR  ECX,8", "Moves the second byte of DR to the first place.", "Přesune druhý bajt DR na první místo.")],
+        related: &["SHL", "RR"],
+        ..CHANGES
+    },
     known("SAR", LOGIC),
     known("ROL", LOGIC),
     known("ROR", LOGIC),
@@ -291,7 +413,26 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("REPZ", STRINGS),
     known("REPNE", STRINGS),
     known("REPNZ", STRINGS),
-    known("JMP", JUMPS),
+    Entry {
+        name: "JMP",
+        chapter: CHAPTER,
+        forms: &[form("JMP label")],
+        operands: TO_LABEL,
+        summary: text("80386 instruction: jumps always, as JUM.", "Instrukce 80386: skočí vždy, jako JUM."),
+        description: text(
+            "Continues at the label, which must lie in the same module, mechanism or procedure (this implementation). \
+             RLO, DR, the flags and an open equation stay.",
+            "Pokračuje na návěští, které musí ležet v témže modulu, mechanismu nebo proceduře (tato implementace). \
+             RLO, DR, příznaky ani rozpracovaná rovnice se nemění.",
+        ),
+        examples: &[example(
+            concat!("        JMP  DONE\n", "OTHER:  FL   1,LAMP\n", "DONE:"),
+            "Skips the line that sets LAMP.",
+            "Přeskočí řádek, který nastavuje LAMP.",
+        )],
+        related: &["JUM", "JE"],
+        ..INSTRUCTION
+    },
     known("CALL", JUMPS),
     known("RET", JUMPS),
     known("RETN", JUMPS),
@@ -305,38 +446,38 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("LOOPZ", JUMPS),
     known("LOOPNE", JUMPS),
     known("LOOPNZ", JUMPS),
-    known("JCXZ", JUMPS),
-    known("JECXZ", JUMPS),
-    checked("JA", JUMPS),
-    checked("JAE", JUMPS),
-    checked("JB", JUMPS),
-    checked("JBE", JUMPS),
-    checked("JC", JUMPS),
-    checked("JE", JUMPS),
-    checked("JG", JUMPS),
-    checked("JGE", JUMPS),
-    checked("JL", JUMPS),
-    checked("JLE", JUMPS),
-    checked("JNA", JUMPS),
-    checked("JNAE", JUMPS),
-    checked("JNB", JUMPS),
-    checked("JNBE", JUMPS),
-    checked("JNC", JUMPS),
-    checked("JNE", JUMPS),
-    checked("JNG", JUMPS),
-    checked("JNGE", JUMPS),
-    checked("JNL", JUMPS),
-    checked("JNLE", JUMPS),
-    checked("JNO", JUMPS),
-    checked("JNP", JUMPS),
-    checked("JNS", JUMPS),
-    checked("JNZ", JUMPS),
-    checked("JO", JUMPS),
-    checked("JP", JUMPS),
-    checked("JPE", JUMPS),
-    checked("JPO", JUMPS),
-    checked("JS", JUMPS),
-    checked("JZ", JUMPS),
+    jump!("JCXZ", "CX, the lower 16 bits of DR, is 0", "CX, spodních 16 bitů DR, je 0 (příznaky se netestují)"),
+    jump!("JECXZ", "ECX, the lower 32 bits of DR, is 0", "ECX, spodních 32 bitů DR, je 0 (příznaky se netestují)"),
+    jump!("JA", "the first value was above the second, without signs", "první hodnota byla větší než druhá, bez znamének"),
+    jump!("JAE", "the first value was not below the second, without signs", "první hodnota nebyla menší než druhá, bez znamének"),
+    jump!("JB", "the first value was below the second, without signs", "první hodnota byla menší než druhá, bez znamének"),
+    jump!("JBE", "the first value was not above the second, without signs", "první hodnota nebyla větší než druhá, bez znamének"),
+    jump!("JC", "the carry flag is 1", "příznak přenosu je 1"),
+    jump!("JE", "the values were equal", "hodnoty byly stejné"),
+    jump!("JG", "the first value was greater, with signs", "první hodnota byla větší, se znaménky"),
+    jump!("JGE", "the first value was not less, with signs", "první hodnota nebyla menší, se znaménky"),
+    jump!("JL", "the first value was less, with signs", "první hodnota byla menší, se znaménky"),
+    jump!("JLE", "the first value was not greater, with signs", "první hodnota nebyla větší, se znaménky"),
+    jump!("JNA", "the first value was not above the second, without signs", "první hodnota nebyla větší než druhá, bez znamének"),
+    jump!("JNAE", "the first value was below the second, without signs", "první hodnota byla menší než druhá, bez znamének"),
+    jump!("JNB", "the first value was not below the second, without signs", "první hodnota nebyla menší než druhá, bez znamének"),
+    jump!("JNBE", "the first value was above the second, without signs", "první hodnota byla větší než druhá, bez znamének"),
+    jump!("JNC", "the carry flag is 0", "příznak přenosu je 0"),
+    jump!("JNE", "the values differed", "hodnoty se lišily"),
+    jump!("JNG", "the first value was not greater, with signs", "první hodnota nebyla větší, se znaménky"),
+    jump!("JNGE", "the first value was less, with signs", "první hodnota byla menší, se znaménky"),
+    jump!("JNL", "the first value was not less, with signs", "první hodnota nebyla menší, se znaménky"),
+    jump!("JNLE", "the first value was greater, with signs", "první hodnota byla větší, se znaménky"),
+    jump!("JNO", "the overflow flag is 0", "příznak přetečení je 0"),
+    jump!("JNP", "the low byte of the result has an odd number of ones", "nejnižší bajt výsledku má lichý počet jedniček"),
+    jump!("JNS", "the sign flag is 0", "příznak znaménka je 0"),
+    jump!("JNZ", "the result was not 0", "výsledek nebyl 0, příznak nuly tedy není nastaven"),
+    jump!("JO", "the overflow flag is 1", "příznak přetečení je 1"),
+    jump!("JP", "the low byte of the result has an even number of ones", "nejnižší bajt výsledku má sudý počet jedniček"),
+    jump!("JPE", "the low byte of the result has an even number of ones", "nejnižší bajt výsledku má sudý počet jedniček"),
+    jump!("JPO", "the low byte of the result has an odd number of ones", "nejnižší bajt výsledku má lichý počet jedniček"),
+    jump!("JS", "the sign flag is 1", "příznak znaménka je 1"),
+    jump!("JZ", "the result was 0", "výsledek byl 0, příznak nuly je tedy nastaven"),
     known("ENTER", JUMPS),
     known("LEAVE", JUMPS),
     known("CLC", FLAGS),

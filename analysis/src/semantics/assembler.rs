@@ -74,16 +74,33 @@ pub(super) fn resolve(
         return Vec::new();
     }
     let Some(second) = given.get(1) else {
-        sized(reader, &to, None);
-        return vec![to.operand];
+        let bytes = sized(reader, &to, None);
+        return vec![to.typed(bytes)];
     };
     let Some(from) = place(reader, second, ReferenceAccess::Read) else { return vec![to.operand] };
-    if form == AssemblerForm::Shift {
-        shifted(reader, &to, &from);
+    let bytes = if form == AssemblerForm::Shift {
+        shifted(reader, &to, &from)
     } else {
-        fitting(reader, entry, &to, &from);
+        fitting(reader, entry, &to, &from)
+    };
+    vec![to.typed(bytes), from.typed(bytes)]
+}
+
+impl Place {
+    /// The operand for an instruction of that many bytes.
+    fn typed(self, bytes: Option<u32>) -> Operand {
+        let width = match bytes {
+            Some(1) => Width::Byte,
+            Some(2) => Width::Word,
+            Some(4) => Width::DWord,
+            Some(8) => Width::QWord,
+            _ => return self.operand,
+        };
+        match self.operand {
+            Operand::Area { address, .. } => Operand::Cell { address, width, negated: false },
+            other => other,
+        }
     }
-    vec![to.operand, from.operand]
 }
 
 fn jump(reader: &mut CodeReader<'_>, expr: &Expr) -> Option<Operand> {
@@ -115,7 +132,8 @@ fn place(reader: &mut CodeReader<'_>, expr: &Expr, uses: ReferenceAccess) -> Opt
         return Some(Place { what: What::Number(value), bytes: None, columns, operand });
     }
     let prefix = shape.prefix.as_ref().map(|prefix| super::program::width(prefix.prefix).bytes());
-    let symbol = sum.symbol.filter(|_| !sum.dollar && sum.bit.is_none() && sum.block.is_none());
+    let plain = !sum.dollar && sum.bit.is_none() && sum.block.is_none() && !shape.negated();
+    let symbol = sum.symbol.filter(|_| plain);
     let Some(symbol) = symbol else {
         reader.report(&rules::OPERAND_KIND, columns, "a register, a cell or a number is needed here");
         return None;
@@ -150,30 +168,33 @@ fn sized(reader: &mut CodeReader<'_>, to: &Place, from: Option<&Place>) -> Optio
     bytes
 }
 
-fn fitting(reader: &mut CodeReader<'_>, entry: &Entry, to: &Place, from: &Place) {
+/// Both operands of one width; gives its bytes.
+fn fitting(reader: &mut CodeReader<'_>, entry: &Entry, to: &Place, from: &Place) -> Option<u32> {
     if to.what == What::Memory && from.what == What::Memory {
         let message = format!("one operand of {} must be a register or a number", entry.name);
         reader.report(&rules::OPERAND_KIND, from.columns.clone(), message);
-        return;
+        return None;
     }
     if let (Some(to_bytes), Some(from_bytes)) = (to.bytes, from.bytes)
         && to_bytes != from_bytes
     {
         let message = format!("the first operand has {} bits, the second {}", to_bytes * 8, from_bytes * 8);
         reader.report(&rules::DIFFERENT_TYPES, to.columns.start..from.columns.end, message);
-        return;
+        return None;
     }
-    let Some(bytes) = sized(reader, to, Some(from)) else { return };
-    let What::Number(value) = from.what else { return };
+    let bytes = sized(reader, to, Some(from))?;
+    let What::Number(value) = from.what else { return Some(bytes) };
     let bits = bytes.min(4) * 8;
     if !(-(1_i64 << (bits - 1))..1_i64 << bits).contains(&value) {
         let message = format!("{value} does not fit {bits} bits");
         reader.report(&rules::CONSTANT_TOO_LARGE, from.columns.clone(), message);
     }
+    Some(bytes)
 }
 
-fn shifted(reader: &mut CodeReader<'_>, to: &Place, count: &Place) {
-    sized(reader, to, None);
+/// A value and how far it is shifted; gives the bytes of the value.
+fn shifted(reader: &mut CodeReader<'_>, to: &Place, count: &Place) -> Option<u32> {
+    let bytes = sized(reader, to, None);
     let cl = matches!(&count.operand, Operand::Text(name) if &**name == "CL");
     match count.what {
         What::Number(value) if !(0..=MOST_SHIFTED).contains(&value) => {
@@ -187,4 +208,5 @@ fn shifted(reader: &mut CodeReader<'_>, to: &Place, count: &Place) {
             reader.report(&rules::OPERAND_KIND, count.columns.clone(), message);
         }
     }
+    bytes
 }

@@ -115,7 +115,7 @@ impl Graph {
                     graph.next[index].push(target);
                 }
             }
-            if code.entry.name != "JUM" {
+            if !matches!(code.entry.name, "JUM" | "JMP") {
                 graph.next[index].push(index + 1);
             }
         }

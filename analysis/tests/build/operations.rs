@@ -1,5 +1,6 @@
 //! Source lines and the operations they become.
 
+use technol_image::assembler::{Condition, Function, Operand, Register};
 use technol_image::op::{
     Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Place, Raster, Source, Unary, Width,
 };
@@ -224,6 +225,30 @@ fn arithmetic_and_comparison() {
             &[ldr(A, false, false), Op::RloToDr(Width::DWord), Op::IntToReal(Width::DWord)],
         ),
         ("MOV BX,CX", &[Op::IndexFromDr]),
+    ]);
+}
+
+#[test]
+fn processor_instructions() {
+    let register = |name| Operand::Register(Register::named(name).expect("a register"));
+    let op = |function, width, to, from| Op::Assembler { function, width, to, from };
+    let table = Operand::Cell(Place { addr: BIG + 2, indexed: true });
+    check(&[
+        ("MOV WRD,cx", &[op(Function::Move, Width::Word, Operand::Cell(at(WRD)), register("CX"))]),
+        ("MOV BX,AX", &[op(Function::Move, Width::Word, register("BX"), register("AX"))]),
+        ("ADD BYTE.(BIG[BX]+2),K", &[op(Function::Add, Width::Byte, table, Operand::Number(124))]),
+        ("SUB EDX,-1", &[op(Function::Sub, Width::DWord, register("EDX"), Operand::Number(u32::MAX))]),
+        ("AND CL,BYTE.DWD+1", &[op(Function::And, Width::Byte, register("CL"), Operand::Cell(at(DWD + 1)))]),
+        ("INC DWD", &[op(Function::Increment, Width::DWord, Operand::Cell(at(DWD)), Operand::Number(1))]),
+        ("SHR WRD,CL", &[op(Function::ShiftRight, Width::Word, Operand::Cell(at(WRD)), register("CL"))]),
+        (
+            "X: CMP AH,40h / JNA X / JMP E / E:",
+            &[
+                op(Function::Compare, Width::Byte, register("AH"), Operand::Number(0x40)),
+                Op::AssemblerJump { condition: Condition::BelowOrEqual, target: 0 },
+                Op::Jump { target: 3, cond: Cond::Always },
+            ],
+        ),
     ]);
 }
 

@@ -22,6 +22,30 @@ fn an_instruction_the_target_cannot_run_is_named_at_its_place() {
 }
 
 #[test]
+fn what_the_target_has_not_of_the_80386_is_named() {
+    for (line, named) in [
+        ("ADC ECX,1", "ADC"),
+        ("PUSH EAX", "PUSH"),
+        ("MOV SI,CX", "MOV with the register SI"),
+        ("CMP CX,BP", "CMP with the register BP"),
+        ("INC ESP", "INC with the register ESP"),
+        ("MOV AX,ES", "MOV with the register ES"),
+        ("INC QWRD.Q", "INC with 64 bits"),
+        ("SHL QWRD.Q,1", "SHL with 64 bits"),
+    ] {
+        let text = refusal("Q: DS 8\n", &format!("{line}\n"));
+        let errors: Vec<&str> = text.lines().filter(|line| line.contains("T0801")).collect();
+        assert_eq!(errors, [format!("main.plc:6:1 T0801 not executable on this target yet: {named}")], "{line}: {text}");
+    }
+}
+
+#[test]
+fn an_operand_of_the_80386_has_no_sign() {
+    let text = refusal("W: DS 2\n", "MOV CX,-W\n");
+    assert!(text.contains("a register, a cell or a number is needed here"), "{text}");
+}
+
+#[test]
 fn clear_does_not_go_backwards() {
     let text = refusal("A: DS 1\nB: DS 2\n", "CLEAR A,B\nCLEAR B,A\n");
     assert!(text.starts_with("main.plc:7:1 T0803 CLEAR needs two variables of one data area"), "{text}");

@@ -8,6 +8,7 @@
 
 extern crate alloc;
 
+pub mod assembler;
 pub mod container;
 pub mod debug_info;
 pub mod op;

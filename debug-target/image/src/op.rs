@@ -2,8 +2,11 @@
 //!
 //! Registers: RLO (one bit), DR (64 bits; an operation of width *w* touches its low *w* bits unless said
 //! otherwise), DR_REAL (IEEE 754 double), BX (index, 32 bits), an equation stack of [`STACK_DEPTH`] bits.
+//! [80386 instructions](crate::assembler) see them as the registers of the processor.
 
 use serde::{Deserialize, Serialize};
+
+use crate::assembler;
 
 /// Index of an operation in [`Program::code`](crate::Program::code).
 pub type Pc = u32;
@@ -413,6 +416,25 @@ pub enum Op {
     Service(u16),
     /// BX := DR (low 16 bits, zero-extended): `MOV BX,CX`.
     IndexFromDr,
+    /// An 80386 instruction. At most one operand is a cell, the first is no number, registers are as wide as the
+    /// instruction; a shift count is a number or CL.
+    Assembler {
+        /// What it does.
+        function: assembler::Function,
+        /// Byte, Word or DWord.
+        width: Width,
+        /// First operand, and destination.
+        to: assembler::Operand,
+        /// Second operand.
+        from: assembler::Operand,
+    },
+    /// A conditional jump of the 80386.
+    AssemblerJump {
+        /// When.
+        condition: assembler::Condition,
+        /// Target.
+        target: Pc,
+    },
     /// MODULE_INIT_FINISHED in file n (0-based).
     InitFinished(u8),
     /// MODULE_DONE_FINISHED in file n (0-based).

@@ -9,6 +9,7 @@ use technol_image::Program;
 use technol_image::op::{Cond, Logic, Op, Pc, Width};
 
 use crate::arithmetic;
+use crate::assembler;
 use crate::calls;
 use crate::code::{Code, Fast};
 use crate::context::Context;
@@ -334,6 +335,14 @@ fn cold(
             memory.copy(from, to, *len as usize);
         }
         Op::Clear { addr, len } => memory.fill(*addr as usize, *len as usize, 0),
+        Op::Assembler { function, width, to, from } => {
+            assembler::execute(memory, regs, *function, *width, *to, *from)?;
+        }
+        Op::AssemblerJump { condition, target } => {
+            if assembler::holds(regs, *condition) {
+                return Ok(Step::Goto(*target));
+            }
+        }
         Op::IndexFromDr => regs.bx = u32::from(regs.dr as u16),
         Op::SelectBlock { offset, len } => prepared::select(memory, regs.bx, *offset, *len),
         Op::InitFinished(file) => machine.init_seen |= 1 << file,

@@ -12,6 +12,7 @@
 extern crate alloc;
 
 mod arithmetic;
+mod assembler;
 mod block;
 mod calls;
 mod code;

@@ -19,6 +19,11 @@ pub struct Registers {
     pub stack: u8,
     /// Number of values on the equation stack, 0..=8.
     pub depth: u8,
+    /// EAX of the 80386 instructions. Bit 4000h is always 0 here, because that bit of the register is RLO.
+    pub eax: u32,
+    /// Flags of the 80386 instructions, at their places in EFLAGS: carry 1, parity 4, zero 40h, sign 80h,
+    /// overflow 800h.
+    pub flags: u16,
 }
 
 impl Registers {

@@ -298,7 +298,8 @@ impl Runtime {
     /// Sets these registers; a stack depth above 8 counts as 8.
     pub fn set_registers(&mut self, registers: Registers) {
         let depth = registers.depth.min(technol_image::op::STACK_DEPTH as u8);
-        self.focused_mut().regs = Registers { depth, ..registers };
+        let eax = registers.eax & !crate::assembler::RLO;
+        self.focused_mut().regs = Registers { depth, eax, ..registers };
     }
 
     /// Call levels of the held program, innermost first; empty while it runs.

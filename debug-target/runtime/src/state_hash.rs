@@ -38,11 +38,13 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
     hash.add(outputs);
     hash.add(shorted);
     for ctx in [main, fast, cont] {
-        let crate::registers::Registers { rlo, dr, dr_real, bx, stack, depth } = ctx.regs;
+        let crate::registers::Registers { rlo, dr, dr_real, bx, stack, depth, eax, flags } = ctx.regs;
         hash.add(&[u8::from(rlo), stack, depth]);
         hash.add(&dr.to_le_bytes());
         hash.add(&dr_real.to_bits().to_le_bytes());
         hash.add(&bx.to_le_bytes());
+        hash.add(&eax.to_le_bytes());
+        hash.add(&flags.to_le_bytes());
         hash.show(&(ctx.pc, &ctx.calls, ctx.root, ctx.rewound));
     }
     hash.show(&(millis, init_seen, done_seen, state_since));

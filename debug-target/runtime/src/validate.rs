@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use technol_image::Program;
+use technol_image::assembler::{Function, Operand, Register};
 use technol_image::op::{Addr, Arith, BitRef, DrTest, Op, Pc, Place, STACK_DEPTH, Source, Width};
 use technol_image::program::{Message, RegionKind, SequenceKind, Timed};
 use technol_image::service::{Arg, ServiceCall};
@@ -169,7 +170,8 @@ impl<'a> Checker<'a> {
             }
             Op::Edge { bit, state, .. } => self.bit(bit).and(self.range(state, 1)),
             Op::MoveBit { dst, src, .. } => self.bit(dst).and(self.bit(src)),
-            Op::Jump { target, .. } | Op::Raster { end: target, .. } => self.target(target),
+            Op::Assembler { function, width, to, from } => self.assembler(function, width, to, from),
+            Op::AssemblerJump { target, .. } | Op::Jump { target, .. } | Op::Raster { end: target, .. } => self.target(target),
             Op::Load { src, width, .. } | Op::Compare { src, width, .. } => self.source(src, width),
             Op::Store { dst, width, .. } => self.place(dst, width.bytes()),
             Op::Move { dst, src, width, .. } => {
@@ -248,6 +250,31 @@ impl<'a> Checker<'a> {
                 Arg::Bit { bit, .. } => self.bit(bit)?,
                 Arg::Area { place, len } => self.place(place, len)?,
                 Arg::Missing | Arg::Int(_) | Arg::Real(_) | Arg::Text(_) | Arg::Keyword(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn assembler(&self, function: Function, width: Width, to: Operand, from: Operand) -> Reason {
+        let narrow = matches!(width, Width::Byte | Width::Word | Width::DWord);
+        require(narrow, "an 80386 instruction wider than 32 bits")?;
+        require(!matches!(to, Operand::Number(_)), "an 80386 instruction writes to a number")?;
+        let fits = match (function, from) {
+            (Function::ShiftLeft | Function::ShiftRight, from) => {
+                matches!(from, Operand::Number(_)) || from == Operand::Register(Register::CL)
+            }
+            (Function::Increment | Function::Decrement, from) => from == Operand::Number(1),
+            (_, Operand::Register(register)) => register.width() == width,
+            (_, Operand::Cell(_)) => matches!(to, Operand::Register(_)),
+            (_, Operand::Number(_)) => true,
+        };
+        require(fits, "operands that this 80386 instruction does not take")?;
+        if let Operand::Register(register) = to {
+            require(register.width() == width, "a register of another width")?;
+        }
+        for operand in [to, from] {
+            if let Operand::Cell(place) = operand {
+                self.place(place, width.bytes())?;
             }
         }
         Ok(())

@@ -4,6 +4,7 @@
 mod frame;
 
 mod arithmetic;
+mod assembler;
 mod bits;
 mod blocks;
 mod comparisons;

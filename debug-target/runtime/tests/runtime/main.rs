@@ -1,5 +1,6 @@
 //! Acceptance of the runtime: every operation, rulings on mechanisms and time, modules, debugger, properties.
 
+mod assembler;
 mod bit_logic;
 mod blocks;
 mod coverage;

@@ -143,8 +143,35 @@ fn data_op() -> impl Strategy<Value = Op> {
         }),
         (a_place(), a_place(), 0..9_u32).prop_map(|(src, dst, len)| Op::Copy { src, dst, len }),
         Just(Op::IndexFromDr),
+        an_assembler_op(),
         Just(Op::IncrementBcd),
     ]
+}
+
+fn an_assembler_op() -> impl Strategy<Value = Op> {
+    use technol_image::assembler::{Function, General, Operand, Part, Register};
+    let functions = vec![
+        Function::Move,
+        Function::Add,
+        Function::Sub,
+        Function::Xor,
+        Function::Compare,
+        Function::ShiftLeft,
+        Function::ShiftRight,
+    ];
+    let registers = prop::sample::select(vec![General::A, General::C, General::D]);
+    (prop::sample::select(functions), registers, a_place(), any::<u32>(), any::<bool>()).prop_map(
+        |(function, general, place, number, to_cell)| {
+            let register = Operand::Register(Register { general, part: Part::Word });
+            let to = if to_cell { Operand::Cell(place) } else { register };
+            let from = match function {
+                Function::ShiftLeft | Function::ShiftRight => Operand::Register(Register::CL),
+                _ if to_cell => register,
+                _ => Operand::Number(number),
+            };
+            Op::Assembler { function, width: Width::Word, to, from }
+        },
+    )
 }
 
 fn an_op() -> impl Strategy<Value = Op> {

@@ -105,6 +105,36 @@ fn widths_an_operation_does_not_have_are_rejected() {
 }
 
 #[test]
+fn processor_instructions_with_operands_they_do_not_have_are_rejected() {
+    use technol_image::assembler::{Condition, Function, Operand, Register};
+    let register = |name| Operand::Register(Register::named(name).expect("a register"));
+    let near = Operand::Cell(cell(A));
+    let far = Operand::Cell(Place { addr: END - 1, indexed: false });
+    let one = Operand::Number(1);
+    let ops = [
+        (Function::Add, Width::Word, far, one),
+        (Function::Add, Width::Word, register("CX"), far),
+        (Function::Add, Width::QWord, near, one),
+        (Function::Move, Width::Real, near, one),
+        (Function::Move, Width::Word, one, near),
+        (Function::Compare, Width::Word, one, one),
+        (Function::Move, Width::Word, near, near),
+        (Function::Move, Width::Word, register("ECX"), one),
+        (Function::Move, Width::Word, register("CX"), register("AL")),
+        (Function::Move, Width::Word, near, register("EAX")),
+        (Function::ShiftLeft, Width::Word, near, register("CX")),
+        (Function::ShiftRight, Width::Byte, register("AL"), near),
+        (Function::Increment, Width::Byte, register("AL"), Operand::Number(2)),
+        (Function::Decrement, Width::Byte, register("AL"), register("BL")),
+    ];
+    for (function, width, to, from) in ops {
+        rejected(|p| p.code[0] = Op::Assembler { function, width, to, from }, LoadItem::Op(0));
+    }
+    let jump = Op::AssemblerJump { condition: Condition::Equal, target: 1_000 };
+    rejected(|p| p.code[0] = jump, LoadItem::Op(0));
+}
+
+#[test]
 fn tables_that_do_not_fit_the_code_are_rejected() {
     rejected(|p| p.statements.push(1_000), LoadItem::Statement(program().statements.len()));
     rejected(|p| p.statements.swap(0, 1), LoadItem::Statement(1));
