@@ -13,7 +13,7 @@ use technol_image::program::ModuleKind;
 
 use crate::context::NO_SEQUENCE;
 use crate::equation::Table;
-use crate::fused::{self, Fused, Term};
+use crate::fused::{self, Data, Fused, Term};
 
 /// How the free-running loop executes the operation of the same index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +48,7 @@ pub(crate) struct Code {
     pub(crate) fast: Vec<Fast>,
     pub(crate) terms: Vec<Term>,
     pub(crate) tables: Vec<Table>,
+    pub(crate) data: Vec<Data>,
     /// The operation starts a statement.
     pub(crate) statement: Vec<bool>,
     /// Sequence the operation belongs to, or [`NO_SEQUENCE`].
@@ -68,11 +69,12 @@ impl Code {
         for pc in &program.statements {
             statement[*pc as usize] = true;
         }
-        let Fused { fast, terms, tables } = fused::fuse(program);
+        let Fused { fast, terms, tables, data } = fused::fuse(program);
         Code {
             fast,
             terms,
             tables,
+            data,
             statement,
             sequence_at: sequence_table(program),
             on_eset: program.procedure("_ON_ESET"),

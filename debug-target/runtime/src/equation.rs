@@ -155,6 +155,11 @@ impl BitWrite {
         BitWrite { place, keep: [0xFF; 2], set: [0; 2] }
     }
 
+    /// It is not [`none`](BitWrite::none).
+    pub(crate) fn is_one(&self) -> bool {
+        self.keep != [0xFF; 2]
+    }
+
     /// Of an operation that is one.
     pub(crate) fn of(op: &Op) -> Option<BitWrite> {
         // What becomes of the bit when RLO is 0 and when it is 1.

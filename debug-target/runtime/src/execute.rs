@@ -89,7 +89,7 @@ pub(crate) fn run(
                     budget -= len;
                     let first = first as usize;
                     let terms = &code.terms[first..first + usize::from(terms)];
-                    fused::execute(terms, &code.tables, window, &mut regs);
+                    fused::execute(terms, code, window, &mut regs);
                     pc += len;
                     skip = false;
                     continue;

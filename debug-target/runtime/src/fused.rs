@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 use technol_image::Program;
 use technol_image::op::{Arith, Compare, Cond, Logic, Op, Place, STACK_DEPTH, Source, Width};
 
-use crate::code::Fast;
+use crate::code::{Code, Fast};
 use crate::equation::{BitWrite, MAX_NESTING, Table, combine};
 use crate::memory::Window;
 use crate::registers::Registers;
@@ -28,7 +28,7 @@ const READ: usize = 4;
 /// What a term does with `x`, its operand, or with RLO.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// Table `to`.
+    /// An equation.
     Bits,
     /// What LDR does first when an equation is open.
     Push,
@@ -36,20 +36,22 @@ enum Kind {
     Pop,
     /// WR, FL, FL1 that no other term could take along.
     Write,
-    /// LOD, which is done before anything else in every term.
-    Load,
-    /// AD, SU: `select` is 1 for SU.
-    Sum,
-    /// ANDB, ORB, XORB: bit 0 of `select` takes (DR and x), bit 1 (DR xor x); both together are (DR or x).
-    Bitwise,
-    /// MULB.
-    Product,
-    /// EQ … GE: RLO is bit 0, 1 or 2 of `select` when DR is less, equal or greater; bit 7: only if RLO. Then a write.
+    /// LOD, then one of AD, SU, ANDB, ORB, XORB, MULB, then STO, STO0, STO1; each of them may be missing.
+    Calculate,
+    /// LOD, which may be missing, EQ … GE, then a write: RLO is bit 0, 1 or 2 of `select` when DR is less, equal or
+    /// greater; bit 7: only if RLO.
     Compare,
-    /// STO, STO0, STO1: bit RLO of `select` says whether.
-    Store,
-    /// MOVE, MOVE1: from the operand to `to`; bit RLO of `select` says whether.
+    /// MOVE, MOVE1: from the operand to `to`; bit RLO of `when` says whether.
     Move,
+}
+
+/// What [`Kind::Calculate`] takes together: DR + x, DR - x, …
+mod select {
+    pub(super) const SUM: u8 = 1;
+    pub(super) const NEGATIVE: u8 = 2;
+    pub(super) const AND: u8 = 4;
+    pub(super) const XOR: u8 = 8;
+    pub(super) const PRODUCT: u8 = 16;
 }
 
 /// A cell or a constant.
@@ -84,6 +86,11 @@ impl Operand {
         }
     }
 
+    /// This and that function do something to DR.
+    fn calculates(&self, select: u8) -> bool {
+        select != select::SUM || self.cell != 0 || self.value != 0
+    }
+
     /// Sign-extended.
     #[inline]
     fn get(&self, memory: &Window) -> i64 {
@@ -91,48 +98,76 @@ impl Operand {
     }
 }
 
-/// One step of a stretch.
+/// One step of a stretch; small, because all of them pass by in each cycle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
+    kind: Kind,
+    operations: u8,
+    /// Index of the table, or of the data.
+    at: u32,
+}
+
+/// Of a term that is no equation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Data {
     load: Operand,
     operand: Operand,
     write: BitWrite,
-    to: u32,
-    kind: Kind,
+    /// Where DR, or what is moved, goes; bits by which that is less than 32 bits wide; bit RLO: it goes.
+    to: u16,
+    to_shift: u8,
+    when: u8,
     select: u8,
     /// -1: DR is kept; 0: `load` is put there first.
     keep: i8,
-    operations: u8,
 }
 
-impl Term {
-    fn new(kind: Kind, select: u8) -> Term {
-        let (load, operand) = (Operand::NONE, Operand::NONE);
-        Term { load, operand, write: BitWrite::none(0), to: 0, kind, select, keep: -1, operations: 1 }
+/// A term that may still become part of a longer one.
+#[derive(Clone, Copy, Debug)]
+struct Draft {
+    kind: Kind,
+    operations: u8,
+    data: Data,
+}
+
+impl Draft {
+    fn new(kind: Kind, select: u8) -> Draft {
+        let (load, operand, write) = (Operand::NONE, Operand::NONE, BitWrite::none(0));
+        Draft {
+            kind,
+            operations: 1,
+            data: Data { load, operand, write, to: 0, to_shift: 0, when: 0, select, keep: -1 },
+        }
+    }
+
+    /// With something else in its data.
+    fn with(mut self, change: impl FnOnce(&mut Data)) -> Draft {
+        change(&mut self.data);
+        self
     }
 
     /// Of one data operation.
-    fn of(op: &Op) -> Option<Term> {
+    fn of(op: &Op) -> Option<Draft> {
         let with = |kind, source: &Source, width, select| {
             let operand = Operand::new(source, width)?;
-            Some(Term { operand, ..Term::new(kind, select) })
+            Some(Draft::new(kind, select).with(|data| data.operand = operand))
         };
         match op {
             Op::Load { src, width, neg: false } => {
                 let load = Operand::new(src, *width)?;
-                Some(Term { load, keep: 0, ..Term::new(Kind::Load, 0) })
+                Some(Draft::new(Kind::Calculate, select::SUM).with(|data| (data.load, data.keep) = (load, 0)))
             }
             Op::Arith { op, src, width } => {
-                let (kind, select) = match op {
-                    Arith::Add => (Kind::Sum, 0),
-                    Arith::Sub => (Kind::Sum, 1),
-                    Arith::And => (Kind::Bitwise, 0b01),
-                    Arith::Xor => (Kind::Bitwise, 0b10),
-                    Arith::Or => (Kind::Bitwise, 0b11),
-                    Arith::Mul => (Kind::Product, 0),
+                let select = match op {
+                    Arith::Add => select::SUM,
+                    Arith::Sub => select::SUM | select::NEGATIVE,
+                    Arith::And => select::AND,
+                    Arith::Xor => select::XOR,
+                    Arith::Or => select::AND | select::XOR,
+                    Arith::Mul => select::PRODUCT,
                     Arith::Div => return None,
                 };
-                with(kind, src, *width, select)
+                with(Kind::Calculate, src, *width, select)
             }
             Op::Compare { op, src, width, if_rlo } => {
                 let relation = match op {
@@ -144,27 +179,61 @@ impl Term {
                 };
                 with(Kind::Compare, src, *width, relation | u8::from(*if_rlo) << 7)
             }
-            Op::Store { dst, width, cond } => with(Kind::Store, &Source::Mem(*dst), *width, acts(*cond)),
-            Op::Move { dst, src, width, cond } => {
-                let from = with(Kind::Move, &Source::Mem(*src), *width, acts(*cond))?;
-                let to = Operand::new(&Source::Mem(*dst), *width)?.at;
-                Some(Term { to: u32::from(to), ..from })
+            Op::Store { dst, width, cond } => {
+                let to = Operand::new(&Source::Mem(*dst), *width)?;
+                Some(Draft::new(Kind::Calculate, select::SUM).with(|data| data.goes(to, *cond)))
             }
-            Op::LogicPop(op) => Some(Term::new(Kind::Pop, *op as u8)),
-            _ => BitWrite::of(op).map(|write| Term { write, ..Term::new(Kind::Write, 0) }),
+            Op::Move { dst, src, width, cond } => {
+                let from = with(Kind::Move, &Source::Mem(*src), *width, 0)?;
+                let to = Operand::new(&Source::Mem(*dst), *width)?;
+                Some(from.with(|data| data.goes(to, *cond)))
+            }
+            Op::LogicPop(op) => Some(Draft::new(Kind::Pop, *op as u8)),
+            _ => BitWrite::of(op).map(|write| Draft::new(Kind::Write, 0).with(|data| data.write = write)),
         }
     }
 
     /// Both in one, if that is possible.
-    fn joined(self, next: Term) -> Option<Term> {
+    fn joined(self, next: Draft) -> Option<Draft> {
         let operations = self.operations + next.operations;
+        let (mine, its) = (&self.data, &next.data);
+        let (stores, calculates) = (mine.when != 0, mine.operand.calculates(mine.select));
         match (self.kind, next.kind) {
-            (Kind::Load, Kind::Sum | Kind::Bitwise | Kind::Product | Kind::Compare | Kind::Store) => {
-                Some(Term { load: self.load, keep: 0, operations, ..next })
+            // LOD, then what does not begin with one.
+            (Kind::Calculate, Kind::Calculate | Kind::Compare) if !stores && !calculates && its.keep != 0 => {
+                let joined = Draft { operations, ..next };
+                Some(joined.with(|data| (data.load, data.keep) = (mine.load, mine.keep)))
             }
-            (Kind::Compare, Kind::Write) => Some(Term { write: next.write, operations, ..self }),
+            // A calculation, then STO alone.
+            (Kind::Calculate, Kind::Calculate)
+                if !stores && its.keep != 0 && !its.operand.calculates(its.select) =>
+            {
+                let joined = Draft { operations, ..self };
+                Some(
+                    joined
+                        .with(|data| (data.to, data.to_shift, data.when) = (its.to, its.to_shift, its.when)),
+                )
+            }
+            (Kind::Compare, Kind::Write) if !mine.write.is_one() => {
+                let joined = Draft { operations, ..self };
+                Some(joined.with(|data| data.write = its.write))
+            }
             _ => None,
         }
+    }
+
+    /// What it will execute. A store or a write that is missing is one that changes nothing, at a place that is looked
+    /// at anyway: at another one the next term would have to wait for it.
+    fn finished(self) -> Data {
+        let spare = if self.data.load.cell != 0 { self.data.load.at } else { self.data.operand.at };
+        let mut data = self.data;
+        if data.when == 0 {
+            data.to = spare;
+        }
+        if self.kind == Kind::Compare && !data.write.is_one() {
+            data.write = BitWrite::none(spare);
+        }
+        data
     }
 }
 
@@ -182,13 +251,19 @@ pub(crate) struct Fused {
     pub(crate) fast: Vec<Fast>,
     pub(crate) terms: Vec<Term>,
     pub(crate) tables: Vec<Table>,
+    pub(crate) data: Vec<Data>,
 }
 
 /// Fuses a validated program.
 pub(crate) fn fuse(program: &Program) -> Fused {
     let code = &program.code;
     let targets = jump_targets(code);
-    let mut fused = Fused { fast: vec![Fast::General; code.len()], terms: Vec::new(), tables: Vec::new() };
+    let mut fused = Fused {
+        fast: vec![Fast::General; code.len()],
+        terms: Vec::new(),
+        tables: Vec::new(),
+        data: Vec::new(),
+    };
     let (mut pc, mut begins) = (0, Vec::new());
     while pc < code.len() {
         if let Op::Jump { target, cond } = code[pc] {
@@ -197,7 +272,7 @@ pub(crate) fn fuse(program: &Program) -> Fused {
         // A jump to its middle ends a term, so that it is fast from there on too.
         let most = code.len().min(pc + MAX_LEN / 2);
         let end = (pc + 1..most).find(|at| targets[*at]).unwrap_or(most);
-        let term = fused.equation(&code[pc..end], &mut begins, pc).or_else(|| data(&code[pc..end]));
+        let term = fused.equation(&code[pc..end], &mut begins, pc).or_else(|| fused.data(&code[pc..end]));
         if let Some(term) = term {
             begins.push(pc);
             fused.terms.push(term);
@@ -211,22 +286,19 @@ pub(crate) fn fuse(program: &Program) -> Fused {
     fused
 }
 
-/// The data operations that these begin with, as many as one term takes.
-fn data(ops: &[Op]) -> Option<Term> {
-    let mut terms = ops.iter().map_while(|op| Term::of(op));
-    let first = terms.next()?;
-    // Load, compare, write.
-    let mut term = first;
-    for next in terms {
-        match term.joined(next) {
-            Some(both) => term = both,
-            None => break,
-        }
-    }
-    Some(term)
-}
-
 impl Fused {
+    /// The data operations that these begin with, as many as one term takes.
+    fn data(&mut self, ops: &[Op]) -> Option<Term> {
+        let mut drafts = ops.iter().map_while(Draft::of);
+        let mut draft = drafts.next()?;
+        while let Some(both) = drafts.next().and_then(|next| draft.joined(next)) {
+            draft = both;
+        }
+        let at = self.data.len() as u32;
+        self.data.push(draft.finished());
+        Some(Term { kind: draft.kind, operations: draft.operations, at })
+    }
+
     /// The equation, or as much of it as a table takes, that these begin with.
     ///
     /// A bracket that the table does not close is opened by a term before it, which stands for no operation.
@@ -237,15 +309,12 @@ impl Fused {
         };
         if pushes {
             begins.push(pc);
-            self.terms.push(Term { operations: 0, ..Term::new(Kind::Push, 0) });
+            self.terms.push(Term { kind: Kind::Push, operations: 0, at: 0 });
         }
         let write = ops.get(logic).and_then(BitWrite::of);
         table.write = write.unwrap_or(table.write);
-        let term = Term {
-            to: self.tables.len() as u32,
-            operations: logic as u8 + u8::from(write.is_some()),
-            ..Term::new(Kind::Bits, 0)
-        };
+        let operations = logic as u8 + u8::from(write.is_some());
+        let term = Term { kind: Kind::Bits, operations, at: self.tables.len() as u32 };
         self.tables.push(table);
         Some(term)
     }
@@ -332,47 +401,70 @@ fn write(memory: &mut Window, at: u16, mask: u32, value: u32) {
     memory[at..at + READ].copy_from_slice(&new.to_le_bytes());
 }
 
-/// Executes a stretch.
+/// Executes a stretch of the terms of `code`.
 #[inline(never)]
-pub(crate) fn execute(terms: &[Term], tables: &[Table], memory: &mut Window, regs: &mut Registers) {
+pub(crate) fn execute(terms: &[Term], code: &Code, memory: &mut Window, regs: &mut Registers) {
     let (mut rlo, mut dr) = (regs.rlo, regs.dr);
     for term in terms {
-        if term.kind == Kind::Bits {
-            rlo = tables[term.to as usize].evaluate(memory, rlo);
-            continue;
-        }
-        dr = dr & i64::from(term.keep) | term.load.get(memory);
-        let (select, operand, shift) = (term.select, &term.operand, term.operand.shift);
-        let low = i64::from(mask(shift));
-        let chosen = |rlo: bool| mask(shift) & 0_u32.wrapping_sub(u32::from(select >> u8::from(rlo) & 1));
         match term.kind {
-            Kind::Sum => {
-                let negative = -i64::from(select);
-                let sum = dr.wrapping_add((operand.get(memory) ^ negative).wrapping_sub(negative));
-                dr = dr & !low | sum & low;
+            Kind::Bits => rlo = code.tables[term.at as usize].evaluate(memory, rlo),
+            Kind::Push => {
+                regs.stack = regs.stack << 1 | u8::from(rlo);
+                regs.depth += 1;
             }
-            Kind::Bitwise => {
+            kind => (rlo, dr) = code.data[term.at as usize].execute(kind, memory, regs, rlo, dr),
+        }
+    }
+    regs.rlo = rlo;
+    regs.dr = dr;
+}
+
+impl Data {
+    fn goes(&mut self, to: Operand, cond: Cond) {
+        (self.to, self.to_shift, self.when) = (to.at, to.shift, acts(cond));
+    }
+
+    /// RLO and DR afterwards.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "RLO and DR stay in registers; measured in benches/against_c")]
+    fn execute(
+        &self,
+        kind: Kind,
+        memory: &mut Window,
+        regs: &mut Registers,
+        mut rlo: bool,
+        mut dr: i64,
+    ) -> (bool, i64) {
+        let (select, operand, shift) = (self.select, &self.operand, self.operand.shift);
+        let chosen =
+            |rlo: bool| mask(self.to_shift) & 0_u32.wrapping_sub(u32::from(self.when >> u8::from(rlo) & 1));
+        // All ones when it is selected.
+        let if_selected = |what: u8| -i64::from(select & what != 0);
+        match kind {
+            Kind::Calculate => {
+                dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let x = operand.get(memory);
-                let both = dr & x & -i64::from(select & 1);
-                let result = both ^ (dr ^ x) & -i64::from(select >> 1);
-                dr = dr & !low | result & low;
-            }
-            Kind::Product => {
-                let x = signed(operand.get(memory) as u32, shift);
-                dr = signed(dr as u32, shift).wrapping_mul(x);
+                let negative = if_selected(select::NEGATIVE);
+                let sum = dr.wrapping_add((x ^ negative).wrapping_sub(negative)) & if_selected(select::SUM);
+                let bits = dr & x & if_selected(select::AND) ^ (dr ^ x) & if_selected(select::XOR);
+                let product = signed(dr as u32, shift).wrapping_mul(signed(x as u32, shift));
+                let whole = if_selected(select::PRODUCT);
+                let low = i64::from(mask(shift)) | whole;
+                dr = dr & !low | (sum | bits | product & whole) & low;
+                write(memory, self.to, chosen(rlo), dr as u32);
             }
             Kind::Compare => {
+                dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let (a, b) = (signed(dr as u32, shift), operand.get(memory));
                 let place = u8::from(a >= b) + u8::from(a > b);
                 rlo = (select >> place & 1 != 0) & (rlo | (select >> 7 == 0));
-                term.write.execute(memory, rlo);
+                self.write.execute(memory, rlo);
             }
-            Kind::Store => write(memory, operand.at, chosen(rlo), dr as u32),
             Kind::Move => {
                 let value = read(memory, operand.at);
-                write(memory, term.to as u16, chosen(rlo), value);
+                write(memory, self.to, chosen(rlo), value);
             }
-            Kind::Write => term.write.execute(memory, rlo),
+            Kind::Write => self.write.execute(memory, rlo),
             Kind::Pop => {
                 let value = regs.stack & 1;
                 regs.stack >>= 1;
@@ -380,13 +472,8 @@ pub(crate) fn execute(terms: &[Term], tables: &[Table], memory: &mut Window, reg
                 let logic = [Logic::And, Logic::Or, Logic::Xor][usize::from(select)];
                 rlo = combine(logic, rlo, value != 0);
             }
-            Kind::Push => {
-                regs.stack = regs.stack << 1 | u8::from(rlo);
-                regs.depth += 1;
-            }
-            Kind::Load | Kind::Bits => {}
+            Kind::Bits | Kind::Push => {}
         }
+        (rlo, dr)
     }
-    regs.rlo = rlo;
-    regs.dr = dr;
 }

@@ -68,6 +68,10 @@ fn need<'a>(
     if let Some(bytes) = known.get(name) {
         return *bytes;
     }
+    // A panic does not come back, and is a mistake of ours anyway.
+    if name.starts_with("core::panicking::") {
+        return 0;
+    }
     // A function of the C library (`memcpy`) needs next to nothing and calls nothing of ours.
     let Some((name, function)) = functions.get_key_value(name) else { return 0 };
     path.push(name);
