@@ -27,7 +27,18 @@ const BENCHMARKS: &[&str] = &[
     "--bench=latency",
     "--bench=build",
     "--bench=cycle",
+    "--bench=against_c",
 ];
+
+/// The lathe through a million cycles, several times: same inputs, same result.
+const SAME_AGAIN: &[&str] =
+    &["test", "--release", "--package=technol-tests", "--test=controller", "same_again", "--", "--nocapture"];
+
+fn bench() -> Result<(), String> {
+    run::cargo("benchmarks", BENCHMARKS)?;
+    let mut lathe = run::command(SAME_AGAIN);
+    run::step("a million cycles of the lathe", lathe.env("TECHNOL_CYCLES", "1000000"))
+}
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,7 +47,7 @@ fn main() -> ExitCode {
         ["generate"] => generate::generate(false),
         ["generate", "--check"] => generate::generate(true),
         ["test"] => test::test(),
-        ["bench"] => run::cargo("benchmarks", BENCHMARKS),
+        ["bench"] => bench(),
         ["fuzz"] => fuzz::fuzz(None),
         ["fuzz", minutes] => fuzz::fuzz(Some(minutes)),
         ["package"] => test::package(),

@@ -9,10 +9,22 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
+/// Where cargo puts what it builds.
+pub(crate) fn target_folder() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// Runs `cargo` in the root.
 pub(crate) fn cargo(what: &str, arguments: &[&str]) -> Result<(), String> {
+    step(what, &mut command(arguments))
+}
+
+/// `cargo` in the root.
+pub(crate) fn command(arguments: &[&str]) -> Command {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    step(what, Command::new(cargo).args(arguments).current_dir(root()))
+    let mut command = Command::new(cargo);
+    command.args(arguments).current_dir(root());
+    command
 }
 
 /// Runs `npm` in a folder of the workspace.

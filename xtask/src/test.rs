@@ -1,7 +1,7 @@
 //! `cargo xtask test`: everything that has to hold before a change lands.
 
 use crate::generate;
-use crate::run::{available, cargo, npm};
+use crate::run::{self, available, cargo, npm};
 
 /// Folders with an npm package and the scripts to run in each.
 const PACKAGES: &[(&str, &str, &[&str])] = &[
@@ -15,6 +15,7 @@ pub(crate) fn test() -> Result<(), String> {
     cargo("formatting", &["fmt", "--all", "--check"])?;
     cargo("lints", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
     generate::generate(true)?;
+    bare()?;
     if available("cargo", &["nextest", "--version"]) {
         cargo("tests", &["nextest", "run", "--workspace", "--no-fail-fast"])?;
     } else {
@@ -41,6 +42,18 @@ pub(crate) fn test() -> Result<(), String> {
     }
     println!("all tests passed{}", if skipped.is_empty() { "" } else { " but the skipped ones" });
     Ok(())
+}
+
+/// The rooms for a controller, without a standard library. With it the C compiler's tests are less of a surprise too.
+fn bare() -> Result<(), String> {
+    let manifest = "debug-target/bare/Cargo.toml";
+    cargo("formatting of the C library", &["fmt", "--manifest-path", manifest, "--check"])?;
+    let target = run::target_folder().join("bare");
+    let target = target.to_string_lossy();
+    let place = ["--locked", "--manifest-path", manifest, "--target-dir", &target];
+    let lints = [&["clippy"], &place[..], &["--", "-D", "warnings"]].concat();
+    cargo("lints of the C library", &lints)?;
+    cargo("the runtime without a standard library", &[&["build"], &place[..]].concat())
 }
 
 /// Builds the VS Code extension.

@@ -1,18 +1,19 @@
 //! Tables derived from the code of a program when it is loaded.
 //!
 //! `Program::code` stays what it is and is the reference for stepping. Beside it lies one [`Fast`] entry per
-//! operation, which the free-running loop looks at first: a run of bit logic is evaluated there without
-//! branches, and break-points are patched there, so that code without one never asks for any.
+//! operation, which the free-running loop looks at first: most of a program is fused there, and break-points are
+//! patched there, so that code without one never asks for any.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use technol_image::Program;
-use technol_image::op::{Op, Pc};
+use technol_image::op::{Cond, Op, Pc};
 use technol_image::program::ModuleKind;
 
 use crate::context::NO_SEQUENCE;
-use crate::equation::{self, Term};
+use crate::equation::Table;
+use crate::fused::{self, Data, Fused, Term};
 
 /// How the free-running loop executes the operation of the same index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,14 +22,23 @@ pub(crate) enum Fast {
     General,
     /// A break-point lies here.
     Break,
-    /// Bit logic, then writes of RLO: `logic + writes` operations, terms from `first` on.
-    Equation {
+    /// JUM, JL0, JL1.
+    Jump {
+        /// Where to.
+        target: Pc,
+        /// When.
+        cond: Cond,
+    },
+    /// A stretch of fused code, see [`fused`].
+    Stretch {
         /// First term.
         first: u32,
-        /// Terms that compute RLO.
-        logic: u8,
-        /// Terms that store RLO.
-        writes: u8,
+        /// Number of terms.
+        terms: u8,
+        /// Operations they stand for.
+        ops: u8,
+        /// Values it takes from the equation stack that it has not pushed.
+        pops: u8,
     },
 }
 
@@ -37,6 +47,8 @@ pub(crate) enum Fast {
 pub(crate) struct Code {
     pub(crate) fast: Vec<Fast>,
     pub(crate) terms: Vec<Term>,
+    pub(crate) tables: Vec<Table>,
+    pub(crate) data: Vec<Data>,
     /// The operation starts a statement.
     pub(crate) statement: Vec<bool>,
     /// Sequence the operation belongs to, or [`NO_SEQUENCE`].
@@ -59,10 +71,12 @@ impl Code {
         for pc in &program.statements {
             statement[*pc as usize] = true;
         }
-        let (fast, terms) = equation::fuse(&program.code);
+        let Fused { fast, terms, tables, data } = fused::fuse(program);
         Code {
             fast,
             terms,
+            tables,
+            data,
             statement,
             sequence_at: sequence_table(program),
             on_eset: program.procedure("_ON_ESET"),
@@ -82,18 +96,17 @@ impl Code {
             self.fast[pc as usize] = original;
         }
         for pc in pcs {
-            self.split_equation_before(*pc as usize);
+            self.shorten_before(*pc as usize);
             self.replace(*pc as usize, Fast::Break);
         }
     }
 
-    /// Equations that would run across `pc` are executed one operation at a time.
-    fn split_equation_before(&mut self, pc: usize) {
-        for head in (pc.saturating_sub(equation::MAX_LEN)..pc).rev() {
-            if let Fast::Equation { logic, writes, .. } = self.fast[head]
-                && head + usize::from(logic) + usize::from(writes) > pc
-            {
-                self.replace(head, Fast::General);
+    /// Stretches that would run across `pc` end there.
+    fn shorten_before(&mut self, pc: usize) {
+        for head in (pc.saturating_sub(fused::MAX_LEN)..pc).rev() {
+            let entry = fused::shortened(self.fast[head], pc - head, &self.terms);
+            if entry != self.fast[head] {
+                self.replace(head, entry);
             }
         }
     }
@@ -130,6 +143,5 @@ pub(crate) const fn is_stoppable(kind: ModuleKind) -> bool {
 
 /// The operation never continues with the one after it.
 pub(crate) fn ends_flow(op: &Op) -> bool {
-    use technol_image::op::Cond;
     matches!(op, Op::ModuleEnd | Op::Return | Op::Jump { cond: Cond::Always, .. })
 }

@@ -1,118 +1,184 @@
-//! Fused equations: a run of `LDR LA LO LX CA` followed by `WR`, evaluated without branches.
+//! Equations as tables: `LDR LA LO LX CA`, brackets too, followed by `WR FL FL1`, evaluated without branches.
 //!
-//! A term reads a bit `b` and turns RLO into `(RLO and keep[b]) xor flip[b]`; the two tables have two bits
-//! each, indexed by `b`. That covers every function and negation:
+//! What up to six bits become is a table of 64 results, made when the program is loaded by trying all of them. At run
+//! time the bits are gathered into an index. A longer equation is several of those, of which each begins with what the
+//! one before it left in RLO.
 //!
-//! | term | keep | flip |        | term | keep | flip |
-//! |------|------|------|--------|------|------|------|
-//! | LDR  | 00   | 10   |        | LX   | 11   | 10   |
-//! | LA   | 10   | 00   |        | CA   | 11   | 11   |
-//! | LO   | 01   | 10   |        |      |      |      |
-
-use alloc::vec;
 use alloc::vec::Vec;
 
-use technol_image::op::{BitRef, Logic, Op};
+use technol_image::op::{BitRef, Cond, Logic, Op};
 
-use crate::code::Fast;
+use crate::memory::Window;
 
-/// Longest fused run in operations.
-pub(crate) const MAX_LEN: usize = 64;
+/// Bits that a table is indexed by.
+const INPUTS: usize = 6;
+/// Brackets within a table.
+pub(crate) const MAX_NESTING: u8 = 2;
 
-/// One operation of a fused equation.
+/// Logic of up to [`INPUTS`] bits and RLO.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Term {
-    addr: u32,
-    bit: u8,
-    keep: u8,
-    flip: u8,
+pub(crate) struct Table {
+    /// For either RLO before, bit w: RLO for the gathered bits w.
+    results: [u64; 2],
+    /// Bytes of the inputs.
+    places: [u16; INPUTS],
+    /// Rotation of each byte that puts input n at bit n.
+    rotations: [u8; INPUTS],
+    /// Where RLO goes then.
+    pub(crate) write: BitWrite,
 }
 
-impl Term {
-    const fn write(bit: BitRef) -> Term {
-        Term { addr: bit.addr, bit: bit.bit, keep: 0, flip: 0 }
-    }
-
-    /// `keep` and `flip` for a plain operand; a negated one exchanges their two bits.
-    const fn read(bit: BitRef, neg: bool, keep: u8, flip: u8) -> Term {
-        const fn exchanged(table: u8) -> u8 {
-            (table & 1) << 1 | table >> 1
+impl Table {
+    /// RLO, which it also writes.
+    #[inline]
+    pub(crate) fn evaluate(&self, memory: &mut Window, rlo: bool) -> bool {
+        let mut index = 0;
+        for (n, (place, rotation)) in self.places.iter().zip(&self.rotations).enumerate() {
+            index |= memory[usize::from(*place)].rotate_left(u32::from(*rotation)) & 1 << n;
         }
-        if neg {
-            Term { addr: bit.addr, bit: bit.bit, keep: exchanged(keep), flip: exchanged(flip) }
-        } else {
-            Term { addr: bit.addr, bit: bit.bit, keep, flip }
-        }
+        let rlo = self.results[usize::from(rlo)] >> (index & 63) & 1 != 0;
+        self.write.execute(memory, rlo);
+        rlo
     }
-}
 
-/// RLO after the `logic` terms.
-#[inline]
-pub(crate) fn evaluate(terms: &[Term], memory: &[u8], rlo: bool) -> bool {
-    let mut rlo = u8::from(rlo);
-    for term in terms {
-        let b = memory[term.addr as usize] >> term.bit & 1;
-        rlo = (rlo & term.keep >> b) ^ term.flip >> b;
-    }
-    rlo & 1 != 0
-}
-
-/// Stores RLO in the bits of the `writes` terms.
-#[inline]
-pub(crate) fn store(terms: &[Term], memory: &mut [u8], rlo: bool) {
-    for term in terms {
-        let byte = &mut memory[term.addr as usize];
-        *byte = *byte & !(1 << term.bit) | u8::from(rlo) << term.bit;
-    }
-}
-
-fn logic_term(op: &Op) -> Option<Term> {
-    match *op {
-        Op::Ldr { bit, neg, push: false } if !bit.indexed => Some(Term::read(bit, neg, 0b00, 0b10)),
-        Op::Logic { op, bit, neg } if !bit.indexed => Some(match op {
-            Logic::And => Term::read(bit, neg, 0b10, 0b00),
-            Logic::Or => Term::read(bit, neg, 0b01, 0b10),
-            Logic::Xor => Term::read(bit, neg, 0b11, 0b10),
-        }),
-        // Reads byte 0 of memory and ignores it.
-        Op::Complement => Some(Term { addr: 0, bit: 0, keep: 0b11, flip: 0b11 }),
-        _ => None,
-    }
-}
-
-fn write_term(op: &Op) -> Option<Term> {
-    match *op {
-        Op::Write(bit) if !bit.indexed => Some(Term::write(bit)),
-        _ => None,
-    }
-}
-
-/// The table of fast entries and the terms they use. Every operation of a run gets an entry for the rest of
-/// the run, so that a jump or a resume into its middle is fast too.
-pub(crate) fn fuse(code: &[Op]) -> (Vec<Fast>, Vec<Term>) {
-    let mut fast = vec![Fast::General; code.len()];
-    let mut terms = Vec::new();
-    let mut pc = 0;
-    while pc < code.len() {
-        let rest = &code[pc..code.len().min(pc + MAX_LEN)];
-        let first = terms.len();
-        terms.extend(rest.iter().map_while(logic_term));
-        let logic = terms.len() - first;
-        terms.extend(rest[logic..].iter().map_while(write_term));
-        let len = terms.len() - first;
-        if len < 2 {
-            terms.truncate(first);
-            pc += 1;
-            continue;
-        }
-        for i in 0..len {
-            fast[pc + i] = Fast::Equation {
-                first: (first + i) as u32,
-                logic: logic.saturating_sub(i) as u8,
-                writes: (len - i.max(logic)) as u8,
+    /// The table for the first of these operations, and how many they are; `opens`: the first one's push is somebody
+    /// else's. `None` when not even the first one fits, or is none of bit logic.
+    pub(crate) fn of(ops: &[Op], opens: bool) -> Option<(Table, usize)> {
+        let pushes = |n: usize, push: bool| push && !(n == 0 && opens);
+        let mut inputs: Vec<BitRef> = Vec::new();
+        let (mut steps, mut depth, mut complete) = (Vec::new(), 0, 0);
+        for (n, op) in ops.iter().enumerate() {
+            let mut slot = |bit: BitRef| {
+                let known = inputs.iter().position(|input| *input == bit);
+                known.unwrap_or_else(|| {
+                    inputs.push(bit);
+                    inputs.len() - 1
+                })
             };
+            let step = match *op {
+                Op::Ldr { bit, neg, push } if fits(bit) => {
+                    depth += u8::from(pushes(n, push));
+                    Step::Load { slot: slot(bit), neg, push: pushes(n, push) }
+                }
+                Op::Logic { op, bit, neg } if fits(bit) => Step::Logic { op, slot: slot(bit), neg },
+                Op::LogicPop(op) if depth > 0 => {
+                    depth -= 1;
+                    Step::Pop(op)
+                }
+                Op::Complement => Step::Complement,
+                _ => break,
+            };
+            if inputs.len() > INPUTS || depth > MAX_NESTING {
+                break;
+            }
+            steps.push(step);
+            if depth == 0 {
+                complete = steps.len();
+            }
         }
-        pc += len;
+        (complete > 0).then(|| (Table::new(&inputs, &steps[..complete]), complete))
     }
-    (fast, terms)
+
+    fn new(inputs: &[BitRef], steps: &[Step]) -> Table {
+        // What is not used looks at a byte that is looked at anyway; another one would make it wait for that.
+        let spare = inputs.first().map_or(0, |bit| bit.addr as u16);
+        let (mut places, mut rotations) = ([spare; INPUTS], [0; INPUTS]);
+        for (n, bit) in inputs.iter().enumerate().take(INPUTS) {
+            places[n] = bit.addr as u16;
+            rotations[n] = (n as u8).wrapping_sub(bit.bit) & 7;
+        }
+        let results = [false, true].map(|rlo| {
+            (0..64_u32).fold(0, |results, index| results | u64::from(result(steps, rlo, index)) << index)
+        });
+        Table { results, places, rotations, write: BitWrite::none(spare) }
+    }
+}
+
+/// The bit can be reached.
+fn fits(bit: BitRef) -> bool {
+    !bit.indexed && u16::try_from(bit.addr).is_ok()
+}
+
+/// An operation whose bit is a place in the index.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Load { slot: usize, neg: bool, push: bool },
+    Logic { op: Logic, slot: usize, neg: bool },
+    Pop(Logic),
+    Complement,
+}
+
+/// RLO when the gathered bits are `index`.
+fn result(steps: &[Step], mut rlo: bool, index: u32) -> bool {
+    let bit = |slot: usize| index >> slot & 1 != 0;
+    let mut stack = 0_u8;
+    for step in steps {
+        match *step {
+            Step::Load { slot, neg, push } => {
+                if push {
+                    stack = stack << 1 | u8::from(rlo);
+                }
+                rlo = bit(slot) ^ neg;
+            }
+            Step::Logic { op, slot, neg } => rlo = combine(op, rlo, bit(slot) ^ neg),
+            Step::Pop(op) => {
+                rlo = combine(op, rlo, stack & 1 != 0);
+                stack >>= 1;
+            }
+            Step::Complement => rlo = !rlo,
+        }
+    }
+    rlo
+}
+
+/// LA, LO, LX.
+#[inline]
+pub(crate) fn combine(op: Logic, a: bool, b: bool) -> bool {
+    match op {
+        Logic::And => a & b,
+        Logic::Or => a | b,
+        Logic::Xor => a ^ b,
+    }
+}
+
+/// A bit that is written. For either RLO: what stays of its byte, and what is set in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BitWrite {
+    place: u16,
+    keep: [u8; 2],
+    set: [u8; 2],
+}
+
+impl BitWrite {
+    /// Writes a byte as it was.
+    pub(crate) const fn none(place: u16) -> BitWrite {
+        BitWrite { place, keep: [0xFF; 2], set: [0; 2] }
+    }
+
+    /// It is not [`none`](BitWrite::none).
+    pub(crate) fn is_one(&self) -> bool {
+        self.keep != [0xFF; 2]
+    }
+
+    /// Of an operation that is one.
+    pub(crate) fn of(op: &Op) -> Option<BitWrite> {
+        // What becomes of the bit when RLO is 0 and when it is 1.
+        let (bit, becomes) = match *op {
+            Op::Write(bit) => (bit, [Some(false), Some(true)]),
+            Op::Flag { value, bit, cond: Cond::Always } => (bit, [Some(value); 2]),
+            Op::Flag { value, bit, cond: Cond::IfRlo } => (bit, [None, Some(value)]),
+            Op::Flag { value, bit, cond: Cond::IfNotRlo } => (bit, [Some(value), None]),
+            _ => return None,
+        };
+        let mask = 1 << bit.bit;
+        let keep = becomes.map(|value| if value.is_some() { !mask } else { 0xFF });
+        let set = becomes.map(|value| if value == Some(true) { mask } else { 0 });
+        fits(bit).then_some(BitWrite { place: bit.addr as u16, keep, set })
+    }
+
+    #[inline]
+    pub(crate) fn execute(&self, memory: &mut Window, rlo: bool) {
+        let byte = &mut memory[usize::from(self.place)];
+        *byte = *byte & self.keep[usize::from(rlo)] | self.set[usize::from(rlo)];
+    }
 }

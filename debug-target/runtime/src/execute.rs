@@ -15,9 +15,9 @@ use crate::code::{Code, Fast};
 use crate::context::Context;
 use crate::control::{Call, Control};
 use crate::debugger::StopReason;
-use crate::equation;
 use crate::event::RuntimeEvent;
 use crate::fault::FaultKind;
+use crate::fused;
 use crate::memory::Memory;
 use crate::operands;
 use crate::prepared;
@@ -90,22 +90,29 @@ pub(crate) fn run(
     ctx.skip_stop = false;
     let exit = loop {
         match code.fast[pc as usize] {
-            Fast::Equation { first, logic, writes } => {
-                let len = u32::from(logic) + u32::from(writes);
-                if budget >= len {
+            Fast::Stretch { first, terms, ops, pops } => {
+                let len = u32::from(ops);
+                if budget >= len
+                    && (pops..=fused::MOST_PUSHED).contains(&regs.depth)
+                    && let Some(window) = machine.memory.window()
+                {
                     budget -= len;
-                    let middle = first as usize + usize::from(logic);
-                    let end = middle + usize::from(writes);
-                    let bytes = machine.memory.bytes_mut();
-                    regs.rlo = equation::evaluate(&code.terms[first as usize..middle], bytes, regs.rlo);
-                    equation::store(&code.terms[middle..end], bytes, regs.rlo);
+                    let first = first as usize;
+                    let terms = &code.terms[first..first + usize::from(terms)];
+                    fused::execute(terms, code, window, &mut regs);
                     pc += len;
                     skip = false;
                     continue;
                 }
             }
+            Fast::Jump { target, cond } if budget > 0 => {
+                budget -= 1;
+                pc = if holds(cond, regs.rlo) { target } else { pc + 1 };
+                skip = false;
+                continue;
+            }
             Fast::Break if stoppable && !skip => break Exit::Stop(StopReason::Breakpoint),
-            Fast::Break | Fast::General => {}
+            Fast::Break | Fast::General | Fast::Jump { .. } => {}
         }
         skip = false;
         let cost = cost(&ops[pc as usize]);

@@ -25,6 +25,7 @@ mod equation;
 mod event;
 mod execute;
 mod fault;
+mod fused;
 mod load_error;
 mod m_functions;
 mod memory;

@@ -25,23 +25,36 @@ impl fmt::Display for AccessError {
 
 impl core::error::Error for AccessError {}
 
+/// The part of memory that fused code works in: any 16-bit address lies in it, with four bytes to read from there.
+pub(crate) type Window = [u8; WINDOW];
+const WINDOW: usize = 0x1_0000 + 4;
+
 /// PLC memory. Direct addresses were proven at load; indexed ones are checked at each access.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
+    /// Never shorter than a [`Window`]; what is behind `len` does not belong to the PLC and stays 0.
     bytes: Vec<u8>,
+    len: usize,
 }
 
 impl Memory {
     pub(crate) fn new(len: u32) -> Memory {
-        Memory { bytes: vec![0; len as usize] }
+        let len = len as usize;
+        Memory { bytes: vec![0; len.max(WINDOW)], len }
+    }
+
+    /// What fused code works in.
+    #[inline]
+    pub(crate) fn window(&mut self) -> Option<&mut Window> {
+        self.bytes.first_chunk_mut()
     }
 
     pub(crate) fn bytes(&self) -> &[u8] {
-        &self.bytes
+        &self.bytes[..self.len]
     }
 
     pub(crate) fn bytes_mut(&mut self) -> &mut [u8] {
-        &mut self.bytes
+        &mut self.bytes[..self.len]
     }
 
     /// Effective address of an access of `len` bytes.
@@ -53,7 +66,7 @@ impl Memory {
     #[inline(never)]
     fn resolve_indexed(&self, addr: Addr, bx: u32, len: u32) -> Result<usize, FaultKind> {
         let effective = i64::from(addr) + i64::from(bx as i32);
-        let inside = effective >= 0 && effective + i64::from(len) <= self.bytes.len() as i64;
+        let inside = effective >= 0 && effective + i64::from(len) <= self.len as i64;
         if inside { Ok(effective as usize) } else { Err(FaultKind::BadAddress { addr: effective, len }) }
     }
 
@@ -156,7 +169,7 @@ impl Memory {
     /// Debugger write.
     pub(crate) fn poke(&mut self, addr: Addr, bytes: &[u8]) -> Result<(), AccessError> {
         let start = addr as usize;
-        let target = start.checked_add(bytes.len()).and_then(|end| self.bytes.get_mut(start..end));
+        let target = start.checked_add(bytes.len()).and_then(|end| self.bytes_mut().get_mut(start..end));
         target.ok_or(AccessError { addr, len: bytes.len() })?.copy_from_slice(bytes);
         Ok(())
     }

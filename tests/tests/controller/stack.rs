@@ -1,23 +1,118 @@
-//! The stack of the target is bounded.
+//! The stack of the target is bounded: read from the machine code of the C library, and tried.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command as Process;
 
 use technol_runtime::{Command, Runtime};
 
+use crate::bare;
 use crate::lathe;
 
-/// What a tick may need, in a build that optimises nothing. In an optimised one it is a small part of that.
-const TICK: usize = 64 << 10;
+/// What a tick of the C library may need, in bytes.
+const MOST_BYTES: usize = 8 << 10;
+/// What is enough for a tick in a build that optimises nothing.
+const SMALL_STACK: usize = 64 << 10;
 
-/// Runs in a thread of its own whose stack is this long; too little of it ends the whole test process.
-fn with_stack(len: usize, work: impl FnOnce() + Send + 'static) {
-    std::thread::Builder::new().stack_size(len).spawn(work).expect("a thread").join().expect("it ends well");
+#[derive(Debug, Default)]
+struct Function {
+    calls: BTreeSet<String>,
+    /// Return address, saved registers and locals.
+    frame: usize,
+    /// Calls through a pointer; those through a fixed place (`memcpy`) do not count.
+    by_pointer: bool,
+}
+
+/// Functions of a program, as `objdump` shows x86-64 code.
+fn functions(text: &str) -> BTreeMap<String, Function> {
+    let mut functions = BTreeMap::new();
+    let mut name = "";
+    for line in text.lines() {
+        let head = line.strip_suffix(">:").and_then(|head| head.split_once(" <"));
+        if let Some((_, function)) = head {
+            name = function;
+            functions.insert(name.to_owned(), Function { frame: 8, ..Function::default() });
+            continue;
+        }
+        let Some(function) = functions.get_mut(name) else { continue };
+        let Some((_, instruction)) = line.split_once('\t') else { continue };
+        let (mnemonic, operands) = instruction.split_once(' ').unwrap_or((instruction, ""));
+        let operands = operands.trim();
+        match mnemonic {
+            "push" => function.frame += 8,
+            // 128 bytes are taken by adding -128, which is shorter.
+            "sub" | "add" if operands.ends_with(",%rsp") => {
+                let hex = operands.trim_start_matches("$0x").trim_end_matches(",%rsp");
+                let number = u64::from_str_radix(hex, 16).expect("a frame of fixed length") as i64;
+                let taken = if mnemonic == "sub" { number } else { number.wrapping_neg() };
+                function.frame += usize::try_from(taken).unwrap_or(0);
+            }
+            "call" if operands.starts_with('*') => function.by_pointer |= !operands.contains("(%rip)"),
+            "call" | "jmp" => {
+                let target = operands.split_once('<').and_then(|(_, target)| target.strip_suffix('>'));
+                function.calls.extend(target.filter(|target| !target.contains("+0x")).map(str::to_owned));
+            }
+            _ => {}
+        }
+    }
+    functions
+}
+
+/// Bytes that a call may need. `path` are the functions it was reached through.
+fn need<'a>(
+    name: &'a str,
+    functions: &'a BTreeMap<String, Function>,
+    known: &mut BTreeMap<&'a str, usize>,
+    path: &mut Vec<&'a str>,
+) -> usize {
+    assert!(!path.contains(&name), "a circle of calls: {path:?} {name}");
+    if let Some(bytes) = known.get(name) {
+        return *bytes;
+    }
+    // A panic does not come back, and is a mistake of ours anyway.
+    if name.starts_with("core::panicking::") {
+        return 0;
+    }
+    // A function of the C library (`memcpy`) needs next to nothing and calls nothing of ours.
+    let Some((name, function)) = functions.get_key_value(name) else { return 0 };
+    path.push(name);
+    let deepest = function.calls.iter().map(|call| need(call, functions, known, path)).max();
+    path.pop();
+    let bytes = function.frame + deepest.unwrap_or(0);
+    known.insert(name, bytes);
+    bytes
 }
 
 #[test]
-fn a_tick_fits_into_a_small_stack_whatever_the_program_does() {
+fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
+    if !cfg!(target_arch = "x86_64") || !bare::available("objdump") {
+        eprintln!("SKIPPED: the machine code is read with `objdump`, on x86-64 only");
+        return;
+    }
+    let Some(replay) = bare::replay() else { return };
+    let output = Process::new("objdump").args(["-d", "-C", "--no-show-raw-insn"]).arg(replay).output();
+    let text = String::from_utf8_lossy(&output.expect("objdump runs").stdout).into_owned();
+    let mut functions = functions(&text);
+    // The one pointer below a tick: what the watched loop asks before each statement.
+    let asked = |name: &String| name.contains("Runtime>::execute::{{closure}}");
+    let asked: Vec<String> = functions.keys().filter(|name| asked(name)).cloned().collect();
+    assert!(!asked.is_empty(), "the debugger's question is there under another name");
+    let watched = functions.iter_mut().find(|(name, _)| name.ends_with("execute::run_watched"));
+    watched.expect("the watched loop is there").1.calls.extend(asked);
+
+    let mut known = BTreeMap::new();
+    let bytes = need("technol_tick", &functions, &mut known, &mut Vec::new());
+    println!("a tick needs at most {bytes} bytes of stack");
+    assert!(known.len() > 30, "the code was understood: {known:?}");
+    let by_pointer: Vec<_> = known.keys().filter(|name| functions[**name].by_pointer).collect();
+    assert!(by_pointer.iter().all(|name| name.ends_with("execute::run_watched")), "{by_pointer:?}");
+    assert!(bytes <= MOST_BYTES, "{bytes}");
+}
+
+#[test]
+fn ticks_of_the_lathe_fit_into_a_small_stack() {
     let program = lathe::image().program.clone();
-    let runtime = Box::new(Runtime::new(program).expect("the lathe can be loaded"));
-    with_stack(TICK, move || {
-        let mut runtime = runtime;
+    let mut runtime = Runtime::new(program).expect("the lathe can be loaded");
+    let ticks = move || {
         let mut events = Vec::with_capacity(64);
         let inputs = [0xFF; 128];
         runtime.command(Command::StartPlc { cold: true });
@@ -25,5 +120,8 @@ fn a_tick_fits_into_a_small_stack_whatever_the_program_does() {
             runtime.tick(&inputs, &mut events);
             events.clear();
         }
-    });
+    };
+    // Too little stack ends the whole process.
+    let thread = std::thread::Builder::new().stack_size(SMALL_STACK).spawn(ticks).expect("a thread");
+    thread.join().expect("it ends well");
 }
