@@ -4,6 +4,10 @@
 //! concerns an axis; everything else goes through the interface cells. The instructions leave RLO and DR as they are,
 //! so that none of the methods gives them back; what was refused is told for the log only, the program finds it in
 //! its status record.
+//!
+//! A millisecond of control and machine is: [`Motion::tick_ms`], then
+//! [`Plant::place_axes`](crate::Plant::place_axes) and [`Plant::step`](crate::Plant::step), then the program. So a switch
+//! that an axis reaches is seen by the program in the same millisecond, and what the program wants moves in the next.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -32,6 +36,7 @@ pub(crate) mod spindle;
 pub(crate) mod switch;
 mod unit;
 mod units;
+mod wheel;
 
 pub use cells::Cells;
 pub use instructions::SpiAx;
@@ -51,6 +56,7 @@ use settings::AxisSettings;
 use signals::{Signals, put};
 use spindle::Spindle;
 use unit::Unit;
+use wheel::Wheel;
 
 /// Axes of the control.
 pub const AXES: usize = 16;
@@ -76,6 +82,8 @@ pub enum Refused {
     NoRamp,
     /// No output is chosen, or the axis does not work as spindle.
     NoOutput,
+    /// There is no regulator set of this number.
+    NoSuchSet,
 }
 
 impl fmt::Display for Refused {
@@ -87,6 +95,7 @@ impl fmt::Display for Refused {
             Refused::TooMany => "the program holds 6 axes already; give one back with POS_RESET",
             Refused::NotHeld => "the program does not hold the axis; take it with POS_INIT",
             Refused::NoRamp => "the ramp is 0; give an acceleration of 1 mm/s² or more",
+            Refused::NoSuchSet => "there is no such regulator set; sets have the numbers 1 to 4",
             Refused::NoOutput => {
                 "no output is chosen by ANALOG_PORT, or the axis does not work as spindle (AX_SPI)"
             }
@@ -103,6 +112,7 @@ pub struct Motion {
     units: Vec<Unit>,
     runs: Vec<Option<Run>>,
     jog: Jog,
+    wheel: Wheel,
     path: Option<Path>,
     block: BlockState,
     hold: Hold,
@@ -133,6 +143,7 @@ impl Motion {
             units: (0..AXES).map(|_| Unit::default()).collect(),
             runs: (0..AXES).map(|_| None).collect(),
             jog: Jog::default(),
+            wheel: Wheel::default(),
             path: None,
             block: BlockState::None,
             hold: Hold::Go,
@@ -159,6 +170,7 @@ impl Motion {
         self.runs.iter_mut().for_each(|run| *run = None);
         self.spindles.iter_mut().for_each(Spindle::reset);
         self.jog.end();
+        self.wheel = Wheel::default();
         self.outputs = Outputs::default();
         (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
     }
@@ -205,7 +217,8 @@ impl Motion {
         self.block
     }
 
-    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles.
+    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles. In an emergency stop
+    /// manual movement stops, too.
     pub fn hold(&mut self, hold: Hold) {
         self.hold = hold;
     }
@@ -231,6 +244,18 @@ impl Motion {
     /// The key of the panel for rapid manual movement.
     pub fn jog_rapid(&mut self, on: bool) {
         self.jog.panel_rapid = on;
+    }
+
+    /// A key of the panel preselects an axis for the handwheel.
+    pub fn select_key(&mut self, axis: u8) -> Result<(), Refused> {
+        self.wheel.pressed = Some(index(axis)?);
+        Ok(())
+    }
+
+    /// The handwheel has turned by some steps of KNOB_STEP µm. They move the preselected axis while manual movement is
+    /// active, or shift it while ACT_ESHIFT is 1; otherwise they are lost.
+    pub fn turn_wheel(&mut self, steps: i32) {
+        self.wheel.steps = self.wheel.steps.saturating_add(steps);
     }
 
     /// Potentiometers of the panel, in per cent.
