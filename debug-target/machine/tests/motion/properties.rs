@@ -195,15 +195,21 @@ proptest! {
     #[test]
     fn acts_give_the_same_again_and_axes_come_to_rest(first in vec(act(), 0..40), then in vec(act(), 0..40)) {
         let mut state = State::new();
-        first.iter().for_each(|act| state.act(act));
+        for act in &first {
+            state.act(act);
+        }
         let mut copy = state.clone();
-        then.iter().for_each(|act| state.act(act));
-        then.iter().for_each(|act| copy.act(act));
+        for act in &then {
+            state.act(act);
+            copy.act(act);
+        }
         prop_assert_eq!(&state.memory, &copy.memory);
         // The program gives everything back, and nothing is asked for any more.
         state.allow();
         let mut cells = Cells::new(&mut state.memory);
-        FLAGS.iter().for_each(|flag| cells.set_bit(*flag, false));
+        for flag in FLAGS {
+            cells.set_bit(flag, false);
+        }
         cells.set_bit(place::JOG_END, true);
         cells.set_word(place::HOMING_START_REQ, 0);
         for axis in 1..=4 {
