@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -22,6 +23,8 @@ pub(crate) enum Command {
     Build(BuildArguments),
     /// Run a project on the simulated machine
     Run(RunArguments),
+    /// Run the tests of a project in virtual time
+    Test(TestArguments),
     /// Be a runtime target that a debugger connects to
     Target(TargetArguments),
     /// Be a debug adapter (on stdio, or for one client after another on TCP)
@@ -112,6 +115,29 @@ pub(crate) struct RunArguments {
     /// Release a key of the machine before a cycle
     #[arg(long, value_name = "KEY[@CYCLE]")]
     pub(crate) release: Vec<String>,
+}
+
+/// `technol test`
+#[derive(Debug, Args)]
+pub(crate) struct TestArguments {
+    /// Project folder, technol.toml, a lone .plc file or a single .test.toml file
+    #[arg(default_value = ".")]
+    pub(crate) path: PathBuf,
+    /// Only tests whose file or name holds this text, in any case
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// How many tests run at the same time [default: one for each processor]
+    #[arg(long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+    /// Also write the results as JUnit XML
+    #[arg(long, value_name = "FILE")]
+    pub(crate) junit: Option<PathBuf>,
+    /// Also write which lines were executed (lcov), and print the states that mechanisms were in
+    #[arg(long, value_name = "FILE")]
+    pub(crate) coverage: Option<PathBuf>,
+    /// Run them again whenever a file changes, until Ctrl-C
+    #[arg(long)]
+    pub(crate) watch: bool,
 }
 
 /// `technol target`

@@ -103,6 +103,13 @@ impl Project {
         PathBuf::from(&self.loaded.root)
     }
 
+    /// Every file the project was read from.
+    pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let sources = self.loaded.files.iter().chain(&self.loaded.included).chain(&self.loaded.configuration);
+        let manifest = self.loaded.manifest_file.iter().map(|(path, _)| path);
+        sources.map(|file| &file.path).chain(manifest).map(|path| self.display(path)).chain(self.machine())
+    }
+
     /// Name of the project: what results are called.
     pub(crate) fn name(&self) -> String {
         self.loaded.manifest.name.clone()

@@ -14,6 +14,7 @@ mod out;
 mod paint;
 mod run;
 mod target;
+mod test;
 
 use std::process::ExitCode;
 
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::Build(arguments) => build::build(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Test(arguments) => test::test(&arguments),
         Command::Target(arguments) => target::target(&arguments),
         Command::Dap(arguments) => dap::dap(&arguments),
         // `--stdio` only names what happens anyway.

@@ -20,6 +20,11 @@ impl Paint {
         Paint { on: std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() }
     }
 
+    /// Without colours, for files.
+    pub(crate) fn none() -> Paint {
+        Paint { on: false }
+    }
+
     /// Headings.
     pub(crate) fn bold(self, text: impl Display) -> String {
         self.wrap("1", text)

@@ -1,6 +1,6 @@
 //! `technol run`: a project on the simulated machine, in virtual time.
 
-mod changes;
+pub(crate) mod changes;
 mod report;
 
 use std::time::{Duration, Instant};

@@ -3,7 +3,9 @@
 use std::collections::VecDeque;
 
 use technol_image::{Program, system};
-use technol_machine::{BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent};
+use technol_machine::{
+    BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent, SimulatedControl,
+};
 use technol_runtime::{Block, Command, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
 
 /// Blocks handed to the PLC ahead of the one in progress.
@@ -25,10 +27,12 @@ fn list(errors: &[ConfigError]) -> String {
 }
 
 /// A program that runs against a simulated machine, millisecond by millisecond. Deterministic: what happens
-/// depends only on the calls made.
+/// depends only on the calls made, so a clone is a saved state: it goes on as the original would.
+#[derive(Clone, Debug)]
 pub struct Simulation {
     runtime: Runtime,
     plant: Plant,
+    control: SimulatedControl,
     inputs: InputImage,
     /// The millisecond the machine was moved for.
     moved: Option<u64>,
@@ -57,6 +61,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
+            control: SimulatedControl::new(),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -83,6 +88,15 @@ impl Simulation {
     /// The machine, for its faults and keys.
     pub fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// A number that two simulations of the same program and machine share when they go on the same way from here.
+    pub fn state_hash(&self) -> u64 {
+        let Simulation { runtime, plant, inputs, moved, starting, waiting, handed } = self;
+        // Only equality matters, and both halves are mixed already.
+        let rest = format!("{inputs:?} {moved:?} {starting} {waiting:?} {handed}");
+        let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
     }
 
     /// Input ports as the PLC will see them.
@@ -116,7 +130,7 @@ impl Simulation {
             self.hand_over_blocks();
         }
         let first = events.len();
-        let outcome = self.runtime.tick(&self.inputs, events);
+        let outcome = self.runtime.tick_with(&self.inputs, &mut self.control, events);
         if std::mem::take(&mut self.starting) {
             self.moved = None;
         }
@@ -139,6 +153,12 @@ impl Simulation {
                 return TickOutcome::Done;
             }
         }
+    }
+
+    /// Starts a block as the control would, beside those of the machine's part program: it begins when its turn
+    /// comes, one of central annulment at once. A block that is out of range ends as a rejection among the events.
+    pub fn start_block(&mut self, block: BlockStart) {
+        self.take_block(block);
     }
 
     fn take_block(&mut self, block: BlockStart) {

@@ -11,6 +11,7 @@ use technol_image::op::{
     Addr, Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Pc, Place, Raster, Source, Unary, Width,
 };
 use technol_image::program::{Message, Program, SequenceKind, Timed};
+use technol_image::service::{Arg, ServiceCall};
 
 use super::debug_info::memory_of;
 
@@ -176,6 +177,9 @@ impl<'a> Disassembler<'a> {
                 let parameters = message.map_or(" ?".to_owned(), |m| self.message(m));
                 format!("ESET{}{parameters}", suffix(*cond))
             }
+            Op::Service(index) => {
+                self.program.services.get(usize::from(*index)).map_or("?".to_owned(), |call| self.call(call))
+            }
             Op::InitFinished(_) => "MODULE_INIT_FINISHED".to_owned(),
             Op::DoneFinished(_) => "MODULE_DONE_FINISHED".to_owned(),
             Op::ModuleEnd => "{module end}".to_owned(),
@@ -214,6 +218,21 @@ impl<'a> Disassembler<'a> {
             parts.pop();
         }
         if parts.is_empty() { String::new() } else { format!(" {}", parts.join(",")) }
+    }
+
+    fn call(&self, call: &ServiceCall) -> String {
+        let arg = |arg: &Arg| match arg {
+            Arg::Missing => "-".to_owned(),
+            Arg::Int(value) => value.to_string(),
+            Arg::Real(value) => format!("{value:?}"),
+            Arg::Text(bytes) => format!("'{}'", bytes.escape_ascii()),
+            Arg::Keyword(word) => word.clone(),
+            Arg::Cell { place, width, neg } => format!("{}{}", sign(*neg), self.place(*place, *width)),
+            Arg::Bit { bit, neg } => format!("{}{}", sign(*neg), self.bit(bit)),
+            Arg::Area { place, .. } => self.area(*place),
+        };
+        let args: Vec<String> = call.args.iter().map(arg).collect();
+        format!("{} {}", call.service.name(), args.join(",")).trim_end().to_owned()
     }
 
     fn sequence(&self, n: u16) -> String {

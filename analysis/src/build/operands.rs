@@ -1,6 +1,7 @@
 //! Operands of the meaning turned into operands of operations; addresses become slots.
 
 use technol_image::op::{BitRef, Place, Source, Width};
+use technol_image::service::Arg;
 
 use super::section_code::{SectionCode, Slot};
 use crate::semantics::hir::{Address, Operand, SymbolKey};
@@ -106,6 +107,29 @@ impl SectionCode {
             Operand::Bit { address, negated: false, .. } => Some((self.address(address), address.offset, 1)),
             _ => None,
         }
+    }
+
+    /// An operand of a service.
+    pub(super) fn arg(&mut self, operand: Option<&Operand>) -> Option<Arg> {
+        Some(match operand? {
+            Operand::Skipped => Arg::Missing,
+            Operand::Integer { value, .. } => Arg::Int(*value),
+            Operand::Real(value) => Arg::Real(*value),
+            Operand::Text(text) => Arg::Text(crate::semantics::collect::text_bytes(text)),
+            Operand::Keyword(word) => Arg::Keyword((*word).to_owned()),
+            Operand::Cell { address, width, negated } => {
+                Arg::Cell { place: self.address(address), width: *width, neg: *negated }
+            }
+            Operand::Bit { .. } | Operand::Mechanism(_) => {
+                let (bit, neg) = self.bit(operand)?;
+                Arg::Bit { bit, neg }
+            }
+            Operand::Area { address, len } => {
+                let behind = i64::from(*len) - address.offset;
+                Arg::Area { place: self.address(address), len: u32::try_from(behind).unwrap_or(0) }
+            }
+            Operand::Label(_) | Operand::Procedure(_) | Operand::Block { .. } => return None,
+        })
     }
 }
 

@@ -202,23 +202,6 @@ fn examples_use_the_entry_they_stand_at_and_only_known_mnemonics() {
 }
 
 #[test]
-fn what_build_lowers_is_what_the_chapters_promise() {
-    for entry in entries() {
-        let chapter = entry.chapter;
-        let lowered = match entry.name {
-            "CLI" | "STI" | "NOP" | "MOV" | "DEBUG" | "ON" | "OFF" | "ESET" | "ESET1" => true,
-            _ if chapter.starts_with("22.") || entry.name.starts_with("MODULE_") => true,
-            _ => {
-                chapter != "3.1"
-                    && chapter != "3.18"
-                    && matches!(chapter.split('.').next(), Some("3" | "4" | "5"))
-            }
-        };
-        assert_eq!(entry.executable, lowered, "{} of {chapter}", entry.name);
-    }
-}
-
-#[test]
 fn terminal_instructions_are_those_of_the_ruling() {
     let expected: HashSet<&str> = [
         "WR", "JL0", "JL1", "STO0", "STO1", "FL1", "MOVR1", "MOVE1", "ESET1", "CONRD", "EX", "EX0", "EX1",

@@ -23,6 +23,8 @@ use technol_image::DebugInfo;
 use technol_image::op::{Addr, Width};
 use technol_image::program::Program;
 
+use crate::catalogue;
+use crate::semantics::suggest;
 use names::{Found, Names};
 use parse::{Address, Bit, Expression, Parser};
 pub use value::{Assignment, RegisterChange, RegisterValues, Value, ValueError};
@@ -167,6 +169,13 @@ pub fn resolve(debug: &DebugInfo, file: Option<u8>, text: &str) -> Result<Target
             Ok(Target::Bit { addr: moved(addr, offset)?, bit })
         }
     }
+}
+
+/// The name of the program, or the predefined one, that a name nobody knows is most likely meant to be.
+#[must_use]
+pub fn nearest<'a>(debug: &'a DebugInfo, name: &str) -> Option<&'a str> {
+    let own = debug.symbols.iter().map(|symbol| symbol.name.as_str());
+    suggest::nearest(name, own.chain(catalogue::symbols().map(|symbol| symbol.name)))
 }
 
 fn named(names: &Names<'_>, name: &str) -> Result<Target, ExpressionError> {

@@ -3,6 +3,7 @@
 use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_image::system::{IN_PORT_COUNT, IN_PORTS};
 use technol_image::{DebugInfo, Program};
+use technol_runtime::AccessError;
 use technol_target::Simulation;
 
 use crate::arguments::RunArguments;
@@ -69,7 +70,9 @@ impl Changes {
     pub(super) fn apply(&mut self, cycle: u64, simulation: &mut Simulation) -> Result<(), Failure> {
         for change in self.changes.iter().filter(|c| c.cycle == cycle) {
             match &change.what {
-                What::Set(assignment) => assign(assignment, simulation)?,
+                What::Set(assignment) => {
+                    assign(assignment, simulation).map_err(|e| Failure::usage(format!("--set: {e}")))?;
+                }
                 What::Fault(name) => simulation
                     .plant_mut()
                     .set_fault(name, true)
@@ -114,19 +117,19 @@ fn set(text: &str, debug: &DebugInfo, program: &Program) -> Result<Change, Failu
 }
 
 /// What a name stands for; a mechanism is its activation bit.
-pub(super) fn resolve(debug: &DebugInfo, program: &Program, name: &str) -> Result<Target, String> {
+pub(crate) fn resolve(debug: &DebugInfo, program: &Program, name: &str) -> Result<Target, String> {
     Ok(expression::resolve(debug, None, name).map_err(|e| e.to_string())?.in_memory(program))
 }
 
-fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), Failure> {
-    let outside = |e: technol_runtime::AccessError| Failure::usage(format!("--set: {e}"));
+/// Gives memory, an input port or a register its new value.
+pub(crate) fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), AccessError> {
     match assignment {
         Assignment::Bit { addr, bit, value } => {
             if let Some(port) = input_port(*addr) {
                 let byte = &mut simulation.inputs_mut()[port];
                 *byte = if *value { *byte | 1 << bit } else { *byte & !(1 << bit) };
             }
-            simulation.runtime_mut().write_bit(*addr, *bit, *value).map_err(outside)
+            simulation.runtime_mut().write_bit(*addr, *bit, *value)
         }
         Assignment::Memory { addr, bytes } => {
             for (address, byte) in (*addr..).zip(bytes) {
@@ -134,7 +137,7 @@ fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), Fa
                     simulation.inputs_mut()[port] = *byte;
                 }
             }
-            simulation.runtime_mut().write_memory(*addr, bytes).map_err(outside)
+            simulation.runtime_mut().write_memory(*addr, bytes)
         }
         Assignment::Registers(change) => {
             let mut registers = simulation.runtime().registers();
@@ -150,12 +153,12 @@ fn assign(assignment: &Assignment, simulation: &mut Simulation) -> Result<(), Fa
 }
 
 /// An input port is copied from the machine in each cycle: to set it, the machine's side is set.
-fn input_port(addr: u32) -> Option<usize> {
+pub(crate) fn input_port(addr: u32) -> Option<usize> {
     addr.checked_sub(IN_PORTS).filter(|n| *n < IN_PORT_COUNT).map(|n| n as usize)
 }
 
 /// Registers as expressions read them.
-pub(super) fn values(registers: &technol_runtime::Registers) -> RegisterValues {
+pub(crate) fn values(registers: &technol_runtime::Registers) -> RegisterValues {
     RegisterValues { rlo: registers.rlo, dr: registers.dr, dr_real: registers.dr_real, bx: registers.bx }
 }
 

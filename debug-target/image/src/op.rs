@@ -409,6 +409,8 @@ pub enum Op {
         /// When.
         cond: Cond,
     },
+    /// An instruction of [`Service`](crate::Service): index into [`Program::services`](crate::Program::services).
+    Service(u16),
     /// BX := DR (low 16 bits, zero-extended): `MOV BX,CX`.
     IndexFromDr,
     /// MODULE_INIT_FINISHED in file n (0-based).

@@ -1,4 +1,4 @@
-//! The simulated machine behind a TECHNOL program: contactors, moving elements, encoders, turrets, keys,
+//! The simulated control around a TECHNOL program ([`SimulatedControl`]) and the machine behind it: contactors, moving elements, encoders, turrets, keys,
 //! faults and the part-program blocks the control starts.
 //!
 //! `no_std` + `alloc` and deterministic: the machine is a function of the outputs it sees and of the calls made
@@ -11,6 +11,7 @@ mod block;
 mod compile;
 pub mod config;
 mod contact;
+mod control;
 mod drive;
 mod encoder;
 mod fault;
@@ -24,6 +25,7 @@ mod turret;
 pub use block::{BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
+pub use control::SimulatedControl;
 pub use drive::Outputs;
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};

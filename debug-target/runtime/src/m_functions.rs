@@ -1,7 +1,5 @@
 //! The functions of a part-program block in the block cells of the system region (manual 8.2).
 
-use alloc::vec::Vec;
-
 use technol_image::op::{Addr, BitRef};
 use technol_image::system;
 
@@ -68,20 +66,29 @@ pub(crate) fn write(memory: &mut Memory, m: u8) {
             memory.set_flag(bit, true);
         }
     }
-    for (bit, value) in static_bits(m) {
-        memory.set_flag(bit, value);
-    }
+    write_static(memory, m);
 }
 
 /// Bits that stay until another function of the group.
-fn static_bits(m: u8) -> Vec<(BitRef, bool)> {
+fn write_static(memory: &mut Memory, m: u8) {
+    let mut write = |bit, value| memory.set_flag(bit, value);
     match m {
-        3 | 4 | 5 | 19 => [(system::M03PI, m == 3), (system::M04PI, m == 4), (system::M19PI, m == 19)].into(),
+        3 | 4 | 5 | 19 => {
+            write(system::M03PI, m == 3);
+            write(system::M04PI, m == 4);
+            write(system::M19PI, m == 19);
+        }
         // M40 leaves the choice of the gear to the control: the bits stay until it makes one.
-        41..=44 => (0..4).map(|gear| (gear_bit(gear), m == 41 + gear)).collect(),
-        7 | 8 | 9 | 17 => [(system::M07PI, matches!(m, 7 | 17)), (system::M08PI, matches!(m, 8 | 17))].into(),
-        50..=53 => [(system::M50PI, matches!(m, 50 | 52)), (system::M51PI, matches!(m, 51 | 52))].into(),
-        _ => Vec::new(),
+        41..=44 => (0..4).for_each(|gear| write(gear_bit(gear), m == 41 + gear)),
+        7 | 8 | 9 | 17 => {
+            write(system::M07PI, matches!(m, 7 | 17));
+            write(system::M08PI, matches!(m, 8 | 17));
+        }
+        50..=53 => {
+            write(system::M50PI, matches!(m, 50 | 52));
+            write(system::M51PI, matches!(m, 51 | 52));
+        }
+        _ => {}
     }
 }
 

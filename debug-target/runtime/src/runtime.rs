@@ -8,9 +8,10 @@ use technol_image::op::{Addr, BitRef, Pc};
 use technol_image::program::{FASTEST_PERIODS, SequenceKind};
 use technol_image::system;
 
-use crate::block::BlockCycle;
+use crate::block::{BlockCycle, QUEUE_LEN};
 use crate::code::Code;
 use crate::context::Context;
+use crate::coverage::Coverage;
 use crate::debugger::{
     BreakpointError, Debugger, Frame, Line, Resume, StepUntil, Stop, StopReason, call_stack,
     check_breakpoint, module_and_file,
@@ -24,7 +25,11 @@ use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
 use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
+use crate::state_hash;
 use crate::validate::validate;
+
+/// Commands that a host may give between two ticks without memory being asked for.
+const COMMANDS: usize = 32;
 
 /// What a call of [`Runtime::tick`] came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +93,8 @@ pub struct Runtime {
     /// Operations executed in the plan in progress.
     pub(crate) spent: u64,
     pub(crate) debugger: Debugger,
+    /// Somebody counts statements.
+    pub(crate) coverage: Option<Coverage>,
 }
 
 impl Runtime {
@@ -111,16 +118,17 @@ impl Runtime {
             position: None,
             state: PlcState::Stopped,
             fault: None,
-            commands: VecDeque::new(),
+            commands: VecDeque::with_capacity(COMMANDS),
             entry_dr: 0,
             block: BlockCycle::new(),
-            plc_events: VecDeque::new(),
+            plc_events: VecDeque::with_capacity(QUEUE_LEN),
             outputs: [0; system::OUT_PORT_COUNT as usize],
             fast_inputs: Vec::new(),
             fast_outputs: Vec::new(),
             limits: Limits::default(),
             spent: 0,
             debugger: Debugger::new(),
+            coverage: None,
             program,
         };
         runtime.initialise_memory();
@@ -206,6 +214,12 @@ impl Runtime {
         results
     }
 
+    /// Executes operation by operation, as a step does, instead of through the fused equations. Slower, and the
+    /// same in all it does: made for comparing both.
+    pub fn set_line_by_line(&mut self, on: bool) {
+        self.debugger.line_by_line = on;
+    }
+
     /// Holds the program at the next statement outside MODULE_FAST and MODULE_CONT.
     pub fn pause(&mut self) {
         if self.debugger.stop.is_none() {
@@ -277,21 +291,10 @@ impl Runtime {
         (0..self.program.sequences.len()).map(|n| sequence::state(&self.program, &self.machine, n as u16))
     }
 
-    /// A number that two runtimes with equal program, memory, registers and time share.
+    /// A number that two runtimes of the same program share when they go on the same way from here: memory, outputs,
+    /// registers, sequences, blocks, queues and time are in it. What a debugger has set is not.
     pub fn state_hash(&self) -> u64 {
-        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
-        hash.add(self.memory());
-        hash.add(&self.outputs);
-        for ctx in [&self.main, &self.fast, &self.cont] {
-            let Registers { rlo, dr, dr_real, bx, stack, depth } = ctx.regs;
-            hash.add(&[u8::from(rlo), stack, depth]);
-            hash.add(&dr.to_le_bytes());
-            hash.add(&dr_real.to_bits().to_le_bytes());
-            hash.add(&bx.to_le_bytes());
-        }
-        hash.add(&self.machine.millis.to_le_bytes());
-        hash.add(&[self.state as u8]);
-        hash.0
+        state_hash::of(self)
     }
 
     pub(crate) fn sequence_of_kind(&self, kind: SequenceKind) -> Option<u16> {
@@ -306,29 +309,19 @@ impl Runtime {
         }
     }
 
-    fn focused(&self) -> &Context {
-        match self.debugger.focus {
+    pub(crate) fn line(&self, line: Line) -> &Context {
+        match line {
             Line::Main => &self.main,
             Line::Fast => &self.fast,
             Line::Cont => &self.cont,
         }
     }
 
+    fn focused(&self) -> &Context {
+        self.line(self.debugger.focus)
+    }
+
     fn focused_mut(&mut self) -> &mut Context {
         self.context(self.debugger.focus)
-    }
-}
-
-/// 64-bit FNV-1a over eight bytes at a time.
-struct Fnv(u64);
-
-impl Fnv {
-    fn add(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.0 = (self.0 ^ u64::from_le_bytes(word)).wrapping_mul(0x0000_0100_0000_01B3);
-            self.0 ^= self.0 >> 32;
-        }
     }
 }

@@ -10,5 +10,7 @@ mod data;
 mod lathe;
 mod macros;
 mod mechanisms;
+mod messages;
 mod plc;
+mod texts;
 mod time;

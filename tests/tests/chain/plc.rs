@@ -23,6 +23,10 @@ Q2: DS 8
 R1: DS 8
 R2: DS 8
 AREA: DS 16
+LONG: STR 8,'abcdefgh'
+MIDDLE: STR 8,'abcde'
+SHORT: STR 3,'cde'
+BEHIND: STR 1,'w'
 EQUI FIVE,5";
 
 /// Line of the first of the lines given to [`Plc::of`].
@@ -64,14 +68,36 @@ pub(crate) struct Plc {
 impl Plc {
     /// A program of these lines of MODULE_MAIN, past MODULE_INIT.
     pub(crate) fn of(lines: &str) -> Plc {
-        let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
-        let source = frame::program(DATA, &main.join("\n"), "");
+        Plc::with_init("", lines)
+    }
+
+    /// A program of these lines of MODULE_INIT and MODULE_MAIN, past MODULE_INIT.
+    pub(crate) fn with_init(init: &str, main: &str) -> Plc {
+        let lines = |text: &str| -> Vec<String> {
+            text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
+        };
+        let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
         let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
+    }
+
+    /// What happens in so many cycles.
+    pub(crate) fn events(&mut self, cycles: u32) -> Vec<technol_runtime::RuntimeEvent> {
+        let mut events = Vec::new();
+        for _ in 0..cycles {
+            self.simulation.cycle(&mut events);
+        }
+        events
+    }
+
+    /// Starts the PLC again, past MODULE_INIT.
+    pub(crate) fn restart(&mut self) {
+        self.simulation.start(false);
+        self.simulation.tick(&mut Vec::new());
     }
 
     pub(crate) fn run(&mut self, cycles: u32) {

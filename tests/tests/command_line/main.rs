@@ -15,3 +15,4 @@ mod fmt;
 mod ran;
 mod run;
 mod target;
+mod test;

@@ -2,6 +2,7 @@
 
 mod bit_logic;
 mod blocks;
+mod coverage;
 mod data;
 mod debugger;
 mod limits;

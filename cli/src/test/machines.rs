@@ -1,0 +1,98 @@
+//! The machines that tests run against.
+
+use std::path::{Path, PathBuf};
+
+use technol_machine::{INPUT_PORTS, MachineConfig, OUTPUT_PORTS, Plant};
+
+/// A machine and what tests may name of it.
+#[derive(Debug, Default)]
+pub(super) struct Machine {
+    pub(super) config: Option<MachineConfig>,
+    pub(super) keys: Vec<String>,
+    pub(super) faults: Vec<String>,
+    /// Input bits that the machine decides on.
+    driven: Vec<u8>,
+}
+
+/// Every machine once, however many tests use it.
+#[derive(Debug, Default)]
+pub(super) struct Machines {
+    list: Vec<(Choice, Machine)>,
+}
+
+/// Which machine, and whether its part program runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Choice {
+    pub(super) file: Option<PathBuf>,
+    pub(super) part_program: bool,
+}
+
+impl Machines {
+    /// The number of a machine, read unless it is known already.
+    pub(super) fn number(&mut self, choice: &Choice) -> Result<usize, String> {
+        if let Some(known) = self.list.iter().position(|(known, _)| known == choice) {
+            return Ok(known);
+        }
+        let machine = match &choice.file {
+            Some(file) => Machine::read(file, choice.part_program)?,
+            None => Machine::default(),
+        };
+        self.list.push((choice.clone(), machine));
+        Ok(self.list.len() - 1)
+    }
+
+    /// A machine as it would be read from a file.
+    #[cfg(test)]
+    pub(super) fn add(&mut self, file: &Path, config: MachineConfig) {
+        let choice = Choice { file: Some(file.to_owned()), part_program: true };
+        self.list.push((choice, Machine::of(config).expect("the machine is right")));
+    }
+
+    pub(super) fn get(&self, number: usize) -> &Machine {
+        &self.list[number].1
+    }
+
+    /// The files that were read.
+    pub(super) fn files(&self) -> impl Iterator<Item = &Path> {
+        self.list.iter().filter_map(|(choice, _)| choice.file.as_deref())
+    }
+}
+
+impl Machine {
+    fn read(file: &Path, part_program: bool) -> Result<Machine, String> {
+        if !file.is_file() {
+            return Err(format!("there is no machine file {}", file.display()));
+        }
+        let mut config = technol_target::load_machine(file).map_err(|e| e.to_string())?;
+        if !part_program {
+            config.block.clear();
+        }
+        Machine::of(config)
+    }
+
+    fn of(config: MachineConfig) -> Result<Machine, String> {
+        let plant = Plant::compile(&config, &|name| name.parse().ok())
+            .map_err(|e| e.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
+        Ok(Machine {
+            keys: plant.keys().map(|(name, _)| name.to_owned()).collect(),
+            faults: plant.faults().map(|(name, _)| name.to_owned()).collect(),
+            driven: driven(&plant),
+            config: Some(config),
+        })
+    }
+
+    /// Whether the machine itself decides on a bit of an input port; port 0 is P1IN.
+    pub(super) fn drives(&self, port: usize, mask: u8) -> bool {
+        self.driven.get(port).is_some_and(|bits| bits & mask != 0)
+    }
+}
+
+/// The bits that come out the same whatever they were before.
+fn driven(plant: &Plant) -> Vec<u8> {
+    let step = |before: u8| {
+        let mut inputs = [before; INPUT_PORTS];
+        plant.clone().step(&[0; OUTPUT_PORTS], &mut inputs);
+        inputs
+    };
+    step(0).iter().zip(step(0xFF)).map(|(off, on)| !(off ^ on)).collect()
+}
