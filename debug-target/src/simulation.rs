@@ -61,7 +61,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
-            control: SimulatedControl::new(),
+            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -90,11 +90,21 @@ impl Simulation {
         &mut self.plant
     }
 
+    /// The control around the program.
+    pub fn control(&self) -> &SimulatedControl {
+        &self.control
+    }
+
+    /// The control, for what an operator does with it.
+    pub fn control_mut(&mut self) -> &mut SimulatedControl {
+        &mut self.control
+    }
+
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
-        let Simulation { runtime, plant, inputs, moved, starting, waiting, handed } = self;
+        let Simulation { runtime, plant, control, inputs, moved, starting, waiting, handed } = self;
         // Only equality matters, and both halves are mixed already.
-        let rest = format!("{inputs:?} {moved:?} {starting} {waiting:?} {handed}");
+        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {handed}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
     }
@@ -124,6 +134,7 @@ impl Simulation {
         let running = self.runtime.state().is_cycling() && self.runtime.stopped().is_none();
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
+            self.plant.place_axes(self.control.motion());
             for PlantEvent::StartBlock(block) in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take_block(block);
             }

@@ -432,7 +432,9 @@ fn axes_and_spindles_find_their_cells_where_the_catalogue_puts_them() {
     }
     assert_eq!(kind("EXM_60"), at(motion::EXTERNAL_PLUS.of(5)));
     // The other axes follow the first in every family.
-    for (axis, name) in [(1, "MPYPI"), (5, "MP6PI"), (6, "MP7PI"), (13, "MP14PI"), (14, "MP15PI"), (15, "MP16PI")] {
+    for (axis, name) in
+        [(1, "MPYPI"), (5, "MP6PI"), (6, "MP7PI"), (13, "MP14PI"), (14, "MP15PI"), (15, "MP16PI")]
+    {
         assert_eq!(kind(name), at(motion::ENABLE.of(axis)), "{name}");
     }
     let loops = kind("REF_SERV_16");

@@ -4,6 +4,7 @@
 mod frame;
 
 mod arithmetic;
+mod axes;
 mod bits;
 mod comparisons;
 mod data;

@@ -111,6 +111,11 @@ impl Plc {
         self.simulation.runtime().fault().map(|fault| fault.kind.to_string())
     }
 
+    /// Values of the analogue outputs, the first in front.
+    pub(crate) fn analog(&self) -> &[i16] {
+        self.simulation.control().motion().outputs()
+    }
+
     fn registers(&self) -> RegisterValues {
         let r = self.simulation.runtime().registers();
         RegisterValues { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx }

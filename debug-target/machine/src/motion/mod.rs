@@ -10,7 +10,7 @@
 //! that an axis reaches is seen by the program in the same millisecond, and what the program wants moves in the next.
 
 use alloc::vec::Vec;
-use core::fmt;
+use core::fmt::{self, Write};
 
 use crate::config::MachineConfig;
 
@@ -123,6 +123,15 @@ pub struct Motion {
     spindles: [Spindle; 2],
     feed_percent: u8,
     speed_percent: u8,
+    /// The cells of the configuration are written.
+    announced: bool,
+}
+
+impl Default for Motion {
+    /// The axes and spindles that no description tells of.
+    fn default() -> Motion {
+        Motion::new(&MachineConfig::default())
+    }
 }
 
 impl Motion {
@@ -152,19 +161,19 @@ impl Motion {
             spindles: [spindle(1), spindle(2)],
             feed_percent: 100,
             speed_percent: 100,
+            announced: false,
         }
     }
 
-    /// The PLC starts: all cells are written anew, and what the program had in hand is given back. With `cold` axes and
-    /// spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
-    pub fn start(&mut self, cells: &mut Cells<'_>, cold: bool) {
+    /// The PLC starts: what the program had in hand is given back, and all cells are written anew with the next tick. With
+    /// `cold` axes and spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
+    pub fn start(&mut self, cold: bool) {
         self.stand_still();
-        for (index, axis) in self.axes.iter_mut().enumerate() {
+        for axis in &mut self.axes {
             if cold {
                 *axis = Axis::new(axis.settings.clone());
             }
             (axis.work, axis.settled) = (Work::Free, false);
-            publish::settings(cells, index, axis);
         }
         self.units.iter_mut().for_each(|unit| *unit = Unit::default());
         self.runs.iter_mut().for_each(|run| *run = None);
@@ -173,10 +182,17 @@ impl Motion {
         self.wheel = Wheel::default();
         self.outputs = Outputs::default();
         (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
+        self.announced = false;
     }
 
     /// One millisecond, before the inputs of the program are read.
     pub fn tick_ms(&mut self, cells: &mut Cells<'_>) {
+        if !self.announced {
+            for (index, axis) in self.axes.iter().enumerate() {
+                publish::settings(cells, index, axis);
+            }
+            self.announced = true;
+        }
         let signals = Signals::read(cells);
         let feed = Feed::read(cells, self.feed_percent);
         self.assign(cells, &signals);
@@ -268,6 +284,15 @@ impl Motion {
         self.spindles[0].program(cells, f64::from(speed), automatic);
     }
 
+    /// A number that two of the same machine share when they go on the same way from here.
+    pub fn state_hash(&self) -> u64 {
+        // How a value shows itself has every field in it, also those that are added later.
+        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
+        // Writing into the hash does not fail.
+        let _ = write!(hash, "{self:?}");
+        hash.0
+    }
+
     /// Values of the analogue outputs; 7FFFh is 10 V.
     pub fn outputs(&self) -> &[i16; PORTS] {
         &self.outputs.values
@@ -290,4 +315,16 @@ impl Motion {
 /// The index of an axis of this number.
 fn index(axis: u8) -> Result<usize, Refused> {
     if (1..=16).contains(&axis) { Ok(usize::from(axis - 1)) } else { Err(Refused::NoSuchAxis) }
+}
+
+/// 64-bit FNV-1a of what is written.
+struct Fnv(u64);
+
+impl Write for Fnv {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
+        }
+        Ok(())
+    }
 }

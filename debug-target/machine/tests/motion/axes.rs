@@ -372,13 +372,11 @@ fn a_restart_stops_everything_and_a_cold_one_forgets_the_positions() {
     bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 600.0, rapid: false }).unwrap();
     bench.run(500);
     let there = bench.position(1, 0);
-    let mut memory = bench.memory.clone();
-    bench.motion.start(&mut technol_machine::Cells::new(&mut memory), false);
-    bench.memory = memory;
+    bench.motion.start(false);
     bench.run(500);
     near(bench.position(1, 0), there, 0.001);
     assert_eq!(bench.motion.block(), BlockState::None);
-    bench.motion.start(&mut technol_machine::Cells::new(&mut bench.memory), true);
+    bench.motion.start(true);
     bench.tick();
     assert_eq!(bench.position(1, 0), 0.0);
 }
@@ -436,6 +434,18 @@ fn a_jog_key_preselects_its_axis_unless_the_program_forbids_it() {
         bench.run(200);
         near(bench.position(1, 0) - before, expected, 0.001);
     }
+}
+
+#[test]
+fn the_hash_of_the_state_tells_what_moves() {
+    let mut bench = Bench::new("");
+    bench.run(5);
+    let rest = bench.motion.state_hash();
+    bench.run(5);
+    assert_eq!(bench.motion.state_hash(), rest);
+    jog(&mut bench, 60);
+    bench.tick();
+    assert_ne!(bench.motion.state_hash(), rest);
 }
 
 #[test]

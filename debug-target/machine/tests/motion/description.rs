@@ -86,7 +86,6 @@ fn switches_follow_the_position_of_their_axis() {
     cells.set_axes(technol_image::system::motion::ENABLE, 1);
     cells.set_axes(technol_image::system::motion::LOOP_CLOSED, 1);
     cells.set_word(technol_image::system::motion::FEED_MULTIPLIER, 1000);
-    motion.start(&mut cells, true);
     let mut inputs = [0; INPUT_PORTS];
     let mut look = |plant: &mut Plant, motion: &Motion| {
         plant.place_axes(motion);

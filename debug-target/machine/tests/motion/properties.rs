@@ -116,7 +116,6 @@ impl State {
         cells.set_word(place::WHEEL_STEP, 100);
         cells.set_byte(place::OFFSET_ALLOWED, 0x3F);
         cells.set_bit(place::JOG_ALLOWED, true);
-        state.motion.start(&mut cells, true);
         state.allow();
         state
     }
@@ -204,6 +203,7 @@ proptest! {
             copy.act(act);
         }
         prop_assert_eq!(&state.memory, &copy.memory);
+        prop_assert_eq!(state.motion.state_hash(), copy.motion.state_hash());
         // The program gives everything back, and nothing is asked for any more.
         state.allow();
         let mut cells = Cells::new(&mut state.memory);
