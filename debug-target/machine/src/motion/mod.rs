@@ -39,6 +39,7 @@ mod units;
 mod wheel;
 
 pub use cells::Cells;
+pub use homing::Request;
 pub use instructions::SpiAx;
 pub use jog::Direction;
 pub use number::Thousandths;
@@ -118,6 +119,8 @@ pub struct Motion {
     hold: Hold,
     /// Axes whose reference the operator has asked for and that have not begun.
     wanted: u16,
+    /// What the operator has asked for since the last tick.
+    requests: Vec<Request>,
     outputs: Outputs,
     /// Spindles 1 and 2.
     spindles: [Spindle; 2],
@@ -157,6 +160,7 @@ impl Motion {
             block: BlockState::None,
             hold: Hold::Go,
             wanted: 0,
+            requests: Vec::new(),
             outputs: Outputs::default(),
             spindles: [spindle(1), spindle(2)],
             feed_percent: 100,
@@ -182,6 +186,7 @@ impl Motion {
         self.wheel = Wheel::default();
         self.outputs = Outputs::default();
         (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
+        self.requests.clear();
         self.announced = false;
     }
 
@@ -193,6 +198,7 @@ impl Motion {
             }
             self.announced = true;
         }
+        self.answer(cells);
         let signals = Signals::read(cells);
         let feed = Feed::read(cells, self.feed_percent);
         self.assign(cells, &signals);

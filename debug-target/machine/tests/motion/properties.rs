@@ -189,7 +189,7 @@ impl State {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn acts_give_the_same_again_and_axes_come_to_rest(first in vec(act(), 0..40), then in vec(act(), 0..40)) {
@@ -218,7 +218,7 @@ proptest! {
         }
         state.motion.annul(&mut cells);
         state.motion.hold(Hold::Go);
-        state.run(6000);
+        state.run(4000);
         prop_assert!(!state.motion.moves() && state.motion.in_position());
         prop_assert_eq!(Cells::new(&mut state.memory).axes(place::REQUESTED), 0);
         let before = state.memory.clone();
