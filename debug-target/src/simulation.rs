@@ -73,7 +73,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
-            control: SimulatedControl::new(),
+            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -100,6 +100,16 @@ impl Simulation {
     /// The machine, for its faults and keys.
     pub fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// The control around the program.
+    pub fn control(&self) -> &SimulatedControl {
+        &self.control
+    }
+
+    /// The control, for what an operator does with it.
+    pub fn control_mut(&mut self) -> &mut SimulatedControl {
+        &mut self.control
     }
 
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
@@ -136,6 +146,7 @@ impl Simulation {
         let running = self.runtime.state().is_cycling() && self.runtime.stopped().is_none();
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
+            self.plant.place_axes(self.control.motion());
             for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take(event);
             }

@@ -15,8 +15,8 @@ use technol_image::service::{Arg, ServiceCall};
 
 use technol_image::system::BLOCK_WINDOW;
 
-use super::{assembler, block_names};
 use super::debug_info::memory_of;
+use super::{assembler, block_names};
 
 /// Writes operations of one program with its names.
 pub struct Disassembler<'a> {

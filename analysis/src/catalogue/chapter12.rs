@@ -2,7 +2,8 @@
 
 use super::entry::{Access, Effect, Entry, OperandKind, OperandSpec, Prefix, PrefixSet};
 use super::pattern::{
-    AXIS, CELLS, COUNTERS, MESSAGE_VALUE, UNMODELLED, VALUES, WORD_CELL, example, form, operand, source, text,
+    AXIS, CELLS, COUNTERS, INSTRUCTION, MESSAGE_VALUE, VALUES, WORD_CELL, example, form, operand, source,
+    text,
 };
 
 /// A port or the cell that holds its number.
@@ -87,7 +88,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Otáčky s korekcí S se pošlou na výstup 5.",
         )],
         related: &["ANALOG", "AX_SPI", "RAMP"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "ANALOG",
@@ -167,7 +168,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             ),
         ],
         related: &["ANALOG_PORT", "ANALOG_SPI", "AX_SPI", "RAMP"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "SPI_AX",
@@ -253,7 +254,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Natočí vřeteno osy 4 a čeká nejvýše 10 s.",
         )],
         related: &["AX_SPI", "SPI_MAIN", "EX1"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "AX_SPI",
@@ -307,7 +308,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Dvě rotační osy se stanou vřeteny a dostanou otáčky podle úlohy.",
         )],
         related: &["SPI_AX", "SPI_MAIN", "ANALOG", "ANALOG_SPI"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "SPI_MAIN",
@@ -341,7 +342,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Závity se řežou s vřetenem, které drží obrobek.",
         )],
         related: &["AX_SPI", "ANALOG"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "ANALOG_SPI",
@@ -375,7 +376,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Osa 4 dostane otáčky, osa 5 se zastaví.",
         )],
         related: &["ANALOG", "AX_SPI", "SPI_MAIN"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "RAMP",
@@ -428,6 +429,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Vřeteno na ose 4 dosáhne nových otáček po krocích 150 za cyklus.",
         )],
         related: &["ANALOG", "ANALOG_SPI", "LOD"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

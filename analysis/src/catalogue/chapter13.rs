@@ -1,7 +1,7 @@
 //! Chapter 13: regulators and drives.
 
 use super::entry::{Effect, Entry, Example, Form, OperandKind, OperandSpec};
-use super::pattern::{UNMODELLED, example, form, operand, text};
+use super::pattern::{INSTRUCTION, UNMODELLED, example, form, operand, text};
 
 const SET: OperandSpec = operand(
     "set",
@@ -62,7 +62,7 @@ macro_rules! regulator {
                 ),
             }],
             related: $related,
-            ..UNMODELLED
+            ..INSTRUCTION
         }
     };
 }

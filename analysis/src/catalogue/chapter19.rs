@@ -2,7 +2,7 @@
 
 use super::entry::{Access, Effect, Entry, OperandKind, OperandSpec};
 use super::pattern::{
-    AXIS, DWORD_CELL, MESSAGE_VALUE, SOURCE_BIT, UNMODELLED, WORD_CELL, example, form, operand, source, text,
+    AXIS, DWORD_CELL, INSTRUCTION, MESSAGE_VALUE, SOURCE_BIT, WORD_CELL, example, form, operand, source, text,
 };
 
 /// The control record of POS_MODE.
@@ -102,7 +102,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Převezme 4. osu a připraví pohyb o 25 mm.",
         )],
         related: &["POS_MODE", "POS_CONTROL", "POS_RESET"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "POS_RESET",
@@ -133,7 +133,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Vrátí 4. osu, jakmile dojela do cíle; X_DONE je bit 3 bajtu STAT1.",
         )],
         related: &["POS_INIT", "POS_CONTROL", "EX0"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "POS_MODE",
@@ -180,7 +180,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Záznamem je CNT1 a za ním další DFM, jejíž bit 0 je X_MP.",
         )],
         related: &["POS_INIT", "POS_CONTROL", "POS_RESET", "DFM"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "POS_CONTROL",
@@ -240,6 +240,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Osa 1 až do cíle sleduje FEED_X v mm/min; pak ji dostane zpět NC.",
         )],
         related: &["POS_MODE", "POS_INIT", "POS_RESET", "TEX0"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

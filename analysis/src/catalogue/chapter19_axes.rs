@@ -2,7 +2,7 @@
 
 use super::chapter19::{ACCEL, CONTROL, ENABLE, FEED, LENGTH, STATUS};
 use super::entry::{Effect, Entry, Example, Form, OperandSpec};
-use super::pattern::{UNMODELLED, WORD_CELL, operand, text};
+use super::pattern::{INSTRUCTION, WORD_CELL, operand, text};
 
 const APPROACH: OperandSpec = operand(
     "approach",
@@ -59,7 +59,7 @@ macro_rules! init {
                 concat!("POS_CONTROL_", $axis),
                 concat!("POS_RESET_", $axis),
             ],
-            ..UNMODELLED
+            ..INSTRUCTION
         }
     };
 }
@@ -101,7 +101,7 @@ macro_rules! reset {
                 ),
             }],
             related: &["POS_RESET", concat!("POS_INIT_", $axis), concat!("POS_CONTROL_", $axis)],
-            ..UNMODELLED
+            ..INSTRUCTION
         }
     };
 }
@@ -155,7 +155,7 @@ macro_rules! mode {
                 ),
             }],
             related: &["POS_MODE", concat!("POS_INIT_", $axis), concat!("POS_CONTROL_", $axis)],
-            ..UNMODELLED
+            ..INSTRUCTION
         }
     };
 }
@@ -213,7 +213,7 @@ macro_rules! control {
                 ),
             }],
             related: &["POS_CONTROL", concat!("POS_MODE_", $axis), concat!("POS_RESET_", $axis), "TEX0"],
-            ..UNMODELLED
+            ..INSTRUCTION
         }
     };
 }

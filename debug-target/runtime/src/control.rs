@@ -192,6 +192,11 @@ impl Call<'_> {
         Ok(Some(&bytes[..end]))
     }
 
+    /// The memory of the PLC, for what lies at fixed places of it: the interface cells.
+    pub fn memory_mut(&mut self) -> &mut [u8] {
+        self.memory.bytes_mut()
+    }
+
     /// Bytes of memory.
     ///
     /// # Errors

@@ -5,6 +5,7 @@ mod frame;
 
 mod arithmetic;
 mod assembler;
+mod axes;
 mod bits;
 mod blocks;
 mod comparisons;

@@ -155,6 +155,11 @@ impl Plc {
         self.simulation.inputs_mut()
     }
 
+    /// Values of the analogue outputs, the first in front.
+    pub(crate) fn analog(&self) -> &[i16] {
+        self.simulation.control().motion().outputs()
+    }
+
     fn registers(&self) -> RegisterValues {
         let r = self.simulation.runtime().registers();
         RegisterValues { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx }

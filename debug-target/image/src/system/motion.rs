@@ -143,6 +143,16 @@ places! { CELLS: Addr;
     ERROR_NUMBER: "BZH13" = 0x1353;
     /// POS_SPACE_PLC: BYTE, 0 to 6.
     JOG_SPACE: "POS_SPACE_PLC" = 0x081a;
+    /// POS_SPACE_MMM: BYTE, 0 to 6.
+    PANEL_SPACE: "POS_SPACE_MMM" = 0x081b;
+    /// KNOB_STEP: WORD, µm.
+    WHEEL_STEP: "KNOB_STEP" = 0x4a47;
+    /// SHIFT_ENABLE: BYTE, a bit an axis.
+    OFFSET_ALLOWED: "SHIFT_ENABLE" = 0x4a49;
+    /// SHIFT_CONTROL: BYTE, a bit an axis.
+    OFFSET_AXIS: "SHIFT_CONTROL" = 0x4a4a;
+    /// SHIFT_X: DWORD per axis (6), 1/8 µm.
+    OFFSET: "SHIFT_X" = 0x4a4b;
     /// EXT_FEED_AUTMAN: WORD, mm/min.
     EXTERNAL_FEED: "EXT_FEED_AUTMAN" = 0x0c89;
     /// EXT_FEED_G00_AUTMAN: WORD, mm/min.
@@ -230,6 +240,14 @@ places! { BITS: BitRef;
     JOG_BEGIN: "AUTMAN_SELECT" = bit(0x4a45, 0);
     /// AUTMAN_CANCEL: edge that ends manual movement.
     JOG_END: "AUTMAN_CANCEL" = bit(0x4a45, 1);
+    /// REQ_ESHIFT: the independent shift is selected.
+    OFFSET_MODE: "REQ_ESHIFT" = bit(0x4a44, 0);
+    /// ACT_ESHIFT: the handwheel shifts the axis.
+    OFFSET_ACTIVE: "ACT_ESHIFT" = bit(0x4a44, 1);
+    /// AUTMAN_WHEEL_DIS: jog keys do not preselect an axis for the handwheel.
+    NO_WHEEL: "AUTMAN_WHEEL_DIS" = bit(0x4a46, 0);
+    /// AUTMAN_KNOB_TOGGLE: a key of preselection switches it on and off by turns.
+    WHEEL_TOGGLE: "AUTMAN_KNOB_TOGGLE" = bit(0x4a46, 1);
     /// REF_SERV_1: reference switch of servo loop 1; the others follow bit by bit.
     SERVO_SWITCH: "REF_SERV_1" = bit(0x4cc2, 0);
     /// REQ_EXT_SPINDLE_GEAR: the program controls the gear.

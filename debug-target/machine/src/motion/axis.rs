@@ -42,6 +42,13 @@ pub(crate) struct Axis {
     /// The demanded position in each space, as the control knows it.
     pub(crate) coordinates: [f64; SPACES],
     pub(crate) work: Work,
+    /// Regulator set in force, from 0.
+    pub(crate) set: usize,
+    /// The independent shift by the handwheel, and where it shall lead.
+    pub(crate) offset: Ramp,
+    pub(crate) offset_target: f64,
+    /// What it has moved the axis in this tick.
+    pub(crate) offset_step: f64,
     /// How far each of its servo loops is ahead of it in the machine…
     pub(crate) skew: [f64; SERVOS],
     /// …and how far it was when they were levelled.
@@ -60,6 +67,10 @@ impl Axis {
             settings,
             coordinates: [0.0; SPACES],
             work: Work::Free,
+            set: 0,
+            offset: Ramp::default(),
+            offset_target: 0.0,
+            offset_step: 0.0,
             skew: [0.0; SERVOS],
             level: [0.0; SERVOS],
             settled: false,
@@ -81,8 +92,17 @@ impl Axis {
         }
     }
 
-    /// The coordinate of the place `machine` becomes `value` in every space.
+    /// The independent shift shall become `target`.
+    pub(crate) fn set_offset(&mut self, target: f64) {
+        if self.offset_target.to_bits() != target.to_bits() {
+            self.offset_target = target;
+            self.settled = false;
+        }
+    }
+
+    /// The coordinate of the place `machine` becomes `value` in every space; no shift is left between them.
     pub(crate) fn set_zero(&mut self, machine: f64, value: f64) {
+        (self.offset, self.offset_target) = (Ramp::default(), 0.0);
         self.coordinates = [value + self.ramp.position - machine; SPACES];
         self.settled = false;
     }
@@ -116,7 +136,7 @@ impl Axis {
     pub(crate) fn follow(&mut self, closed: bool) -> bool {
         self.previous = self.actual;
         if closed {
-            self.actual += self.error() * (self.settings.gain * TICK);
+            self.actual += self.error() * (self.settings.gains[self.set] * TICK);
             if self.error().abs() < SETTLED {
                 self.actual = self.ramp.position;
             }
@@ -133,7 +153,12 @@ impl Axis {
 
     /// It stands where it is demanded to be.
     pub(crate) fn rests(&self) -> bool {
-        self.ramp.velocity == 0.0 && self.error() == 0.0
+        self.ramp.velocity == 0.0 && self.offset.velocity == 0.0 && self.error() == 0.0 && !self.shifts()
+    }
+
+    /// The independent shift is not where it shall be.
+    pub(crate) fn shifts(&self) -> bool {
+        self.offset.position.to_bits() != self.offset_target.to_bits()
     }
 
     /// The position error is within the tolerance.

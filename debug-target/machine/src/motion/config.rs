@@ -37,6 +37,8 @@ pub struct Axis {
     pub acceleration_emergency: Thousandths,
     /// Gain of the position loop in 1/s: the position error is speed / gain.
     pub gain: u32,
+    /// Gains of the regulator sets 1 to 4 (REGUL_X …), where they differ from `gain`.
+    pub gains: Vec<u32>,
     /// Greatest position error; 0 does not check it.
     pub difference_limit: Thousandths,
     /// Position error up to which the axis counts as in position.
@@ -96,6 +98,7 @@ impl Default for Axis {
             acceleration_rapid: mm(1000),
             acceleration_emergency: mm(2000),
             gain: 400,
+            gains: Vec::new(),
             difference_limit: mm(1),
             tolerance: Thousandths(20),
             increments: 1000,

@@ -21,11 +21,12 @@ impl Motion {
     /// Who shall move what: manual movement takes axes that are free or that a held block leaves standing.
     pub(crate) fn assign(&mut self, cells: &mut Cells<'_>, signals: &Signals) {
         self.jog.tick(cells);
+        self.wheel.tick(cells, &self.jog, &mut self.axes);
         self.begin_runs(cells);
         let block = self.path.as_ref().map_or(0, Path::mask);
         let held = self.hold != Hold::Go && self.path.as_ref().is_none_or(Path::stands);
         for index in 0..AXES {
-            let by_hand = has(self.jog.moving(), index);
+            let by_hand = has(self.jog.moving() | self.wheel.moving(), index);
             let axis = &mut self.axes[index];
             axis.work = match axis.work {
                 Work::Free if by_hand => Work::Jog,
@@ -96,6 +97,7 @@ impl Motion {
                 continue;
             }
             self.move_axis(cells, index, signals, feed);
+            self.shift_axis(index, signals, feed);
             let axis = &mut self.axes[index];
             if !axis.follow(has(signals.closed, index)) {
                 self.difference_too_great(cells, index);
@@ -127,8 +129,17 @@ impl Motion {
                 let revolutions = self.main_revolutions();
                 let axis = &mut self.axes[index];
                 let speed = self.jog.speed(cells, index, &axis.settings, feed, revolutions);
-                let goal = Goal::Velocity(if enabled { speed } else { 0.0 });
-                let (goal, accel, _) = gate.apply(goal, axis.settings.acceleration, axis);
+                let goal = match self.wheel.target.filter(|_| has(self.wheel.moving(), index)) {
+                    Some(target) if !has(self.jog.moving(), index) => {
+                        let speed = feed.rapid(axis.settings.rapid, axis.settings.rapid);
+                        Goal::Position { target, speed: if enabled { speed } else { 0.0 }, approach: 0.0 }
+                    }
+                    _ => Goal::Velocity(if enabled { speed } else { 0.0 }),
+                };
+                let emergency = self.hold == Hold::Emergency;
+                let goal = if emergency { Goal::Velocity(0.0) } else { goal };
+                let accel = if emergency { axis.settings.emergency } else { axis.settings.acceleration };
+                let (goal, accel, _) = gate.apply(goal, accel, axis);
                 axis.advance(goal, accel, self.jog.space);
             }
             Work::Run => self.move_run(cells, index, signals, &gate, feed),
@@ -144,8 +155,24 @@ impl Motion {
         }
     }
 
+    /// The independent shift of an axis goes on top of whatever moves it, except of runs and spindles.
+    fn shift_axis(&mut self, index: usize, signals: &Signals, feed: &Feed) {
+        let axis = &mut self.axes[index];
+        axis.offset_step = 0.0;
+        if matches!(axis.work, Work::Run | Work::Spindle) {
+            return;
+        }
+        let gate = Gate::of(axis, index, signals, false);
+        super::wheel::shift(axis, feed, &gate);
+        let step = axis.offset_step;
+        if let Some(path) = self.path.as_mut() {
+            path.shift(index, step);
+        }
+        self.units[index].shift(step);
+    }
+
     fn move_run(&mut self, cells: &mut Cells<'_>, index: usize, signals: &Signals, gate: &Gate, feed: &Feed) {
-        let held = self.hold != Hold::Go || !has(signals.enable, index);
+        let hold = if self.hold == Hold::Go && !has(signals.enable, index) { Hold::Stop } else { self.hold };
         let now = Switches {
             reference: has(signals.reference_switch, index),
             reversing: has(signals.reversing_switch, index),
@@ -155,7 +182,7 @@ impl Motion {
         let Some(run) = &mut self.runs[index] else { return };
         let axis = &mut self.axes[index];
         let before = axis.ramp.position;
-        let done = run.tick(axis, now, gate, feed, held);
+        let done = run.tick(axis, now, gate, feed, hold);
         axis.stand(run.standing, axis.ramp.position - before);
         if done {
             self.finish_run(cells, index);
@@ -188,10 +215,13 @@ impl Motion {
         for (index, axis) in self.axes.iter().enumerate() {
             let unit = axis.work == Work::Unit && self.units[index].wants_motion();
             let moves = axis.ramp.velocity != 0.0 && axis.work != Work::Spindle;
-            let requests = unit || moves || axis.work == Work::Run;
+            let requests = unit || moves || axis.work == Work::Run || axis.shifts();
             requested |= u16::from(requests) << index;
             if axis.ramp.velocity != 0.0 {
                 put(&mut negative, index, axis.ramp.velocity < 0.0);
+            } else if has(self.jog.moving(), index) {
+                // In manual movement the direction is told with the request, before anything moves.
+                put(&mut negative, index, has(self.jog.minus, index));
             }
             if has(signals.soft_limits, index) {
                 let gate = Gate::of(axis, index, signals, false);

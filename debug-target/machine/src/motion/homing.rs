@@ -9,7 +9,59 @@ use super::signals::{has, put};
 use super::units::FRACTION;
 use super::{Motion, Refused, index};
 
+/// Requests of the operator that may wait for the next tick.
+const MAX_REQUESTS: usize = 32;
+
+/// What the operator asks for by the menus of the control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Request {
+    /// The reference of one axis (1 to 16), see [`Motion::home`].
+    Home(u8),
+    /// References made by the program, a bit an axis.
+    HomeByProgram(u16),
+    /// The group reference.
+    HomeGroup,
+    /// Pseudo-reference of an axis.
+    PseudoReference(u8),
+    /// The bit of an axis in HOMING becomes this.
+    Reference(u8, bool),
+    /// Central annulment.
+    Annul,
+}
+
 impl Motion {
+    /// The operator asks for something: it is done in the next tick. `false`: too much waits already.
+    pub fn ask(&mut self, request: Request) -> bool {
+        let room = self.requests.len() < MAX_REQUESTS;
+        if room {
+            self.requests.push(request);
+        }
+        room
+    }
+
+    /// Does what the operator has asked for; an axis that does not exist is not looked for.
+    pub(crate) fn answer(&mut self, cells: &mut Cells<'_>) {
+        for request in core::mem::take(&mut self.requests) {
+            let _: Result<(), Refused> = match request {
+                Request::Home(axis) => self.home(cells, axis),
+                Request::PseudoReference(axis) => self.pseudo_reference(cells, axis),
+                Request::Reference(axis, valid) => self.simulate_reference(cells, axis, valid),
+                Request::HomeByProgram(axes) => {
+                    self.home_by_program(cells, axes);
+                    Ok(())
+                }
+                Request::HomeGroup => {
+                    self.home_group(cells);
+                    Ok(())
+                }
+                Request::Annul => {
+                    self.annul(cells);
+                    Ok(())
+                }
+            };
+        }
+    }
+
     /// The operator asks for the reference of one axis (1 to 16). With method 1, or when references go through the
     /// program, the program is asked; else the run begins with the next tick in which the axis is free.
     pub fn home(&mut self, cells: &mut Cells<'_>, axis: u8) -> Result<(), Refused> {

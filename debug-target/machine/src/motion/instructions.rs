@@ -8,6 +8,7 @@ use super::config::AfterRef;
 use super::output::{Analog, Role};
 use super::ramp::Ramp;
 use super::run::{Method, Plan, Run};
+use super::settings::SETS;
 use super::unit::{PosControl, PosMode};
 use super::units::UM;
 use super::{AXES, HELD_AT_ONCE, Motion, Refused, index};
@@ -83,6 +84,17 @@ impl Motion {
     ) -> Result<(), Refused> {
         let index = index(axis)?;
         self.units[index].control(cells, &self.axes[index], control);
+        Ok(())
+    }
+
+    /// REGUL_X to REGUL_6: regulator set 1 to 4 of an axis.
+    pub fn regul(&mut self, axis: u8, set: u8) -> Result<(), Refused> {
+        let index = index(axis)?;
+        let set = usize::from(set).wrapping_sub(1);
+        if set >= SETS {
+            return Err(Refused::NoSuchSet);
+        }
+        self.axes[index].set = set;
         Ok(())
     }
 

@@ -34,7 +34,11 @@ pub(crate) struct Jog {
     pub(crate) plus: u16,
     pub(crate) minus: u16,
     rapid: bool,
-    /// POS_SPACE_PLC or, from the panel, POS0.
+    /// The panel controls it.
+    pub(crate) from_panel: bool,
+    /// Axes that the program preselects for the handwheel.
+    pub(crate) selecting: u16,
+    /// POS_SPACE_PLC or, from the panel, POS_SPACE_MMM.
     pub(crate) space: usize,
 }
 
@@ -44,14 +48,16 @@ impl Jog {
         self.switch(cells);
         cells.set_bit(place::JOG_ACTIVE, self.active);
         let external = cells.bit(place::EXTERNAL_JOG);
-        cells.set_bit(place::JOG_FROM_PANEL, self.active && !external);
+        self.from_panel = self.active && !external;
+        cells.set_bit(place::JOG_FROM_PANEL, self.from_panel);
         let (mut plus, mut minus) = (0, 0);
         (self.rapid, self.space) = (false, 0);
         if self.active && external {
             (plus, minus) = (cells.six(place::EXTERNAL_PLUS), cells.six(place::EXTERNAL_MINUS));
             self.rapid = cells.bit(place::EXTERNAL_RAPID);
             self.space = usize::from(cells.byte(place::JOG_SPACE).min(6));
-        } else if self.active {
+        } else if self.from_panel {
+            self.space = usize::from(cells.byte(place::PANEL_SPACE).min(6));
             (plus, minus) = (self.panel_plus, self.panel_minus);
             self.rapid = self.panel_rapid;
         }
@@ -59,9 +65,10 @@ impl Jog {
         (self.plus, self.minus) = (plus & !minus, minus & !plus);
         let selecting = self.active && external && cells.bit(place::EXTERNAL_SELECT);
         cells.set_bit(place::JOG_SELECTING, selecting);
-        cells.set_bit(place::JOG_RAPID, self.active && !external && self.panel_rapid);
+        cells.set_bit(place::JOG_RAPID, self.from_panel && self.panel_rapid);
         cells.set_six(place::JOG_PLUS, self.plus);
         cells.set_six(place::JOG_MINUS, self.minus);
+        self.selecting = if selecting { self.plus } else { 0 };
         if selecting {
             // An axis that is only preselected does not move.
             (self.plus, self.minus) = (0, 0);

@@ -4,9 +4,13 @@
 //! concerns an axis; everything else goes through the interface cells. The instructions leave RLO and DR as they are,
 //! so that none of the methods gives them back; what was refused is told for the log only, the program finds it in
 //! its status record.
+//!
+//! A millisecond of control and machine is: [`Motion::tick_ms`], then
+//! [`Plant::place_axes`](crate::Plant::place_axes) and [`Plant::step`](crate::Plant::step), then the program. So a switch
+//! that an axis reaches is seen by the program in the same millisecond, and what the program wants moves in the next.
 
 use alloc::vec::Vec;
-use core::fmt;
+use core::fmt::{self, Write};
 
 use crate::config::MachineConfig;
 
@@ -32,8 +36,10 @@ pub(crate) mod spindle;
 pub(crate) mod switch;
 mod unit;
 mod units;
+mod wheel;
 
 pub use cells::Cells;
+pub use homing::Request;
 pub use instructions::SpiAx;
 pub use jog::Direction;
 pub use number::Thousandths;
@@ -51,6 +57,7 @@ use settings::AxisSettings;
 use signals::{Signals, put};
 use spindle::Spindle;
 use unit::Unit;
+use wheel::Wheel;
 
 /// Axes of the control.
 pub const AXES: usize = 16;
@@ -76,6 +83,8 @@ pub enum Refused {
     NoRamp,
     /// No output is chosen, or the axis does not work as spindle.
     NoOutput,
+    /// There is no regulator set of this number.
+    NoSuchSet,
 }
 
 impl fmt::Display for Refused {
@@ -87,6 +96,7 @@ impl fmt::Display for Refused {
             Refused::TooMany => "the program holds 6 axes already; give one back with POS_RESET",
             Refused::NotHeld => "the program does not hold the axis; take it with POS_INIT",
             Refused::NoRamp => "the ramp is 0; give an acceleration of 1 mm/s² or more",
+            Refused::NoSuchSet => "there is no such regulator set; sets have the numbers 1 to 4",
             Refused::NoOutput => {
                 "no output is chosen by ANALOG_PORT, or the axis does not work as spindle (AX_SPI)"
             }
@@ -103,16 +113,28 @@ pub struct Motion {
     units: Vec<Unit>,
     runs: Vec<Option<Run>>,
     jog: Jog,
+    wheel: Wheel,
     path: Option<Path>,
     block: BlockState,
     hold: Hold,
     /// Axes whose reference the operator has asked for and that have not begun.
     wanted: u16,
+    /// What the operator has asked for since the last tick.
+    requests: Vec<Request>,
     outputs: Outputs,
     /// Spindles 1 and 2.
     spindles: [Spindle; 2],
     feed_percent: u8,
     speed_percent: u8,
+    /// The cells of the configuration are written.
+    announced: bool,
+}
+
+impl Default for Motion {
+    /// The axes and spindles that no description tells of.
+    fn default() -> Motion {
+        Motion::new(&MachineConfig::default())
+    }
 }
 
 impl Motion {
@@ -133,38 +155,50 @@ impl Motion {
             units: (0..AXES).map(|_| Unit::default()).collect(),
             runs: (0..AXES).map(|_| None).collect(),
             jog: Jog::default(),
+            wheel: Wheel::default(),
             path: None,
             block: BlockState::None,
             hold: Hold::Go,
             wanted: 0,
+            requests: Vec::new(),
             outputs: Outputs::default(),
             spindles: [spindle(1), spindle(2)],
             feed_percent: 100,
             speed_percent: 100,
+            announced: false,
         }
     }
 
-    /// The PLC starts: all cells are written anew, and what the program had in hand is given back. With `cold` axes and
-    /// spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
-    pub fn start(&mut self, cells: &mut Cells<'_>, cold: bool) {
+    /// The PLC starts: what the program had in hand is given back, and all cells are written anew with the next tick. With
+    /// `cold` axes and spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
+    pub fn start(&mut self, cold: bool) {
         self.stand_still();
-        for (index, axis) in self.axes.iter_mut().enumerate() {
+        for axis in &mut self.axes {
             if cold {
                 *axis = Axis::new(axis.settings.clone());
             }
             (axis.work, axis.settled) = (Work::Free, false);
-            publish::settings(cells, index, axis);
         }
         self.units.iter_mut().for_each(|unit| *unit = Unit::default());
         self.runs.iter_mut().for_each(|run| *run = None);
         self.spindles.iter_mut().for_each(Spindle::reset);
         self.jog.end();
+        self.wheel = Wheel::default();
         self.outputs = Outputs::default();
         (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
+        self.requests.clear();
+        self.announced = false;
     }
 
     /// One millisecond, before the inputs of the program are read.
     pub fn tick_ms(&mut self, cells: &mut Cells<'_>) {
+        if !self.announced {
+            for (index, axis) in self.axes.iter().enumerate() {
+                publish::settings(cells, index, axis);
+            }
+            self.announced = true;
+        }
+        self.answer(cells);
         let signals = Signals::read(cells);
         let feed = Feed::read(cells, self.feed_percent);
         self.assign(cells, &signals);
@@ -205,7 +239,8 @@ impl Motion {
         self.block
     }
 
-    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles.
+    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles. In an emergency stop
+    /// manual movement stops, too.
     pub fn hold(&mut self, hold: Hold) {
         self.hold = hold;
     }
@@ -233,6 +268,18 @@ impl Motion {
         self.jog.panel_rapid = on;
     }
 
+    /// A key of the panel preselects an axis for the handwheel.
+    pub fn select_key(&mut self, axis: u8) -> Result<(), Refused> {
+        self.wheel.pressed = Some(index(axis)?);
+        Ok(())
+    }
+
+    /// The handwheel has turned by some steps of KNOB_STEP µm. They move the preselected axis while manual movement is
+    /// active, or shift it while ACT_ESHIFT is 1; otherwise they are lost.
+    pub fn turn_wheel(&mut self, steps: i32) {
+        self.wheel.steps = self.wheel.steps.saturating_add(steps);
+    }
+
     /// Potentiometers of the panel, in per cent.
     pub fn set_overrides(&mut self, feed: u8, speed: u8) {
         (self.feed_percent, self.speed_percent) = (feed, speed);
@@ -241,6 +288,15 @@ impl Motion {
     /// A block programs a speed of spindle 1 in rev/min, which becomes PB11 and PB12; `automatic`: M40 is in force.
     pub fn program_speed(&mut self, cells: &mut Cells<'_>, speed: u32, automatic: bool) {
         self.spindles[0].program(cells, f64::from(speed), automatic);
+    }
+
+    /// A number that two of the same machine share when they go on the same way from here.
+    pub fn state_hash(&self) -> u64 {
+        // How a value shows itself has every field in it, also those that are added later.
+        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
+        // Writing into the hash does not fail.
+        let _ = write!(hash, "{self:?}");
+        hash.0
     }
 
     /// Values of the analogue outputs; 7FFFh is 10 V.
@@ -265,4 +321,16 @@ impl Motion {
 /// The index of an axis of this number.
 fn index(axis: u8) -> Result<usize, Refused> {
     if (1..=16).contains(&axis) { Ok(usize::from(axis - 1)) } else { Err(Refused::NoSuchAxis) }
+}
+
+/// 64-bit FNV-1a of what is written.
+struct Fnv(u64);
+
+impl Write for Fnv {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
+        }
+        Ok(())
+    }
 }

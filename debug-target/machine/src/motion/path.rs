@@ -102,6 +102,13 @@ impl Path {
         self.along.velocity == 0.0
     }
 
+    /// An axis is shifted beside the path.
+    pub(crate) fn shift(&mut self, axis: usize, step: f64) {
+        if let Some((_, begin, _)) = self.axes.iter_mut().find(|(index, ..)| *index == axis) {
+            *begin += step;
+        }
+    }
+
     /// Its axes: index, share of the path with sign, and where they are on it.
     pub(crate) fn places(&self) -> impl Iterator<Item = (usize, f64, f64)> {
         self.axes.iter().map(|&(index, begin, share)| (index, share, begin + share * self.along.position))

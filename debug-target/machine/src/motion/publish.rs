@@ -13,6 +13,7 @@ pub(crate) fn position(cells: &mut Cells<'_>, index: usize, axis: &Axis) {
     if index < 6 {
         cells.set_dword(place::POSITION_OLD + 4 * nth, rounded_dword(axis.coordinates[0] * 8.0));
         cells.set_dword(place::INCREMENT_OLD + 4 * nth, 0);
+        cells.set_dword(place::OFFSET + 4 * nth, rounded_dword(axis.offset.position * 8.0));
     }
     cells.set_qword(place::POSITION + 8 * nth, rounded(axis.coordinates[0] * FRACTION));
     for (space, coordinate) in axis.coordinates[1..6].iter().enumerate() {

@@ -4,6 +4,7 @@ use super::axis::Axis;
 use super::config::{AfterRef, RefSwitch};
 use super::feed::Feed;
 use super::gate::Gate;
+use super::path::Hold;
 use super::ramp::Goal;
 use super::settings::AxisSettings;
 
@@ -142,18 +143,19 @@ impl Run {
         }
     }
 
-    /// One tick; `true` at the end, when the axis stands. `held`: it is to stand for the time being.
+    /// One tick; `true` at the end, when the axis stands.
     pub(crate) fn tick(
         &mut self,
         axis: &mut Axis,
         now: Switches,
         gate: &Gate,
         feed: &Feed,
-        held: bool,
+        hold: Hold,
     ) -> bool {
         let factor = if self.plan.override_counts { feed.factor } else { 1.0 };
         self.look(axis, now, self.plan.speed_low * factor);
-        let speed = |speed: f64| if held { 0.0 } else { (speed * factor).min(axis.settings.rapid) };
+        let speed =
+            |speed: f64| if hold == Hold::Go { (speed * factor).min(axis.settings.rapid) } else { 0.0 };
         let goal = match self.phase {
             Phase::Seek if !self.slowed => Goal::Velocity(self.direction * speed(self.plan.speed)),
             Phase::Seek | Phase::Pulse | Phase::Leave => {
@@ -165,7 +167,8 @@ impl Run {
                 Goal::Position { target, speed: speed(self.plan.speed_after), approach: 0.0 }
             }
         };
-        let (goal, accel, cut) = gate.apply(goal, self.plan.accel, axis);
+        let accel = if hold == Hold::Emergency { axis.settings.emergency } else { self.plan.accel };
+        let (goal, accel, cut) = gate.apply(goal, accel, axis);
         let reached = axis.advance(goal, accel, 0);
         match self.phase {
             Phase::Stop if axis.ramp.velocity == 0.0 => {

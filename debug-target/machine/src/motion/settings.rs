@@ -9,6 +9,9 @@ use super::number::Thousandths;
 use super::units::{UM, per_minute};
 use crate::compile::Compiler;
 
+/// Regulator sets of an axis.
+pub(crate) const SETS: usize = 4;
+
 /// Settings of an axis; micrometres and seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AxisSettings {
@@ -19,8 +22,8 @@ pub(crate) struct AxisSettings {
     pub(crate) acceleration: f64,
     pub(crate) acceleration_rapid: f64,
     pub(crate) emergency: f64,
-    /// 1/s.
-    pub(crate) gain: f64,
+    /// 1/s, of each regulator set.
+    pub(crate) gains: [f64; SETS],
     pub(crate) difference_limit: f64,
     pub(crate) tolerance: f64,
     /// Increments per µm.
@@ -78,6 +81,9 @@ pub(crate) fn check(axis: &config::Axis, earlier: &[config::Axis], compiler: &mu
     if !(1..=1000).contains(&axis.gain) {
         compiler.error("gain", "must be 1 to 1000; the loop has a tick of 1 ms");
     }
+    if axis.gains.len() > SETS || axis.gains.iter().any(|gain| !(1..=1000).contains(gain)) {
+        compiler.error("gains", "needs at most 4 numbers from 1 to 1000");
+    }
     if axis.limit_zone < Thousandths(0) {
         compiler.error("limit-zone", "must not be negative");
     }
@@ -114,7 +120,7 @@ impl AxisSettings {
             acceleration: axis.acceleration.thousandths(),
             acceleration_rapid: axis.acceleration_rapid.thousandths(),
             emergency: axis.acceleration_emergency.thousandths(),
-            gain: f64::from(axis.gain),
+            gains: core::array::from_fn(|set| f64::from(axis.gains.get(set).copied().unwrap_or(axis.gain))),
             difference_limit: axis.difference_limit.thousandths(),
             tolerance: axis.tolerance.thousandths(),
             increments: f64::from(axis.increments) / UM,

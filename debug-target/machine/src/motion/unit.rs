@@ -160,6 +160,13 @@ impl Unit {
         }
     }
 
+    /// The axis is shifted beside its motion.
+    pub(crate) fn shift(&mut self, step: f64) {
+        if let Some(travel) = &mut self.travel {
+            travel.target += step;
+        }
+    }
+
     /// A motion is programmed and not finished.
     pub(crate) fn wants_motion(&self) -> bool {
         self.travel.is_some() && !self.reached

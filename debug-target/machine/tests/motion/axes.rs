@@ -58,7 +58,7 @@ fn manual_movement_answers_and_moves_as_long_as_it_is_asked_for() {
     MM_X0      _____#####______________________________
     MM_X1      _______________##########_____####______
     PO_OSXPI   _____######____###########____#####_____
-    SM_POXPI   ____________________####################
+    SM_POXPI   _______________#########################
     ");
     // Forward 50 ms, back 50 and 40 ms, all at 10 mm/s: a ramp up and a ramp down make one way at full speed.
     near(bench.position(1, 0), 500.0 - 500.0 - 400.0, 25.0);
@@ -228,6 +228,20 @@ fn the_difference_counter_is_speed_over_gain() {
 }
 
 #[test]
+fn a_regulator_set_has_a_gain_of_its_own() {
+    let mut bench = Bench::new("[[axis]]\nnumber=1\ngain=100\ngains=[100,50]\ndifference-limit=0");
+    jog(&mut bench, 6000);
+    let mut error = |set| {
+        bench.motion.regul(1, set).unwrap();
+        bench.run(600);
+        bench.cells().dword(place::DIFFERENCE)
+    };
+    assert_eq!([1, 2, 3].map(&mut error), [900, 1900, 900], "speed / gain, less the way of the last tick");
+    assert_eq!(bench.motion.regul(1, 0), Err(Refused::NoSuchSet));
+    assert_eq!(bench.motion.regul(1, 5), Err(Refused::NoSuchSet));
+}
+
+#[test]
 fn all_cells_of_a_position_agree() {
     let mut bench = Bench::new("[[axis]]\nnumber=2\nincrements=5000\nstart=3");
     bench.motion.begin_block(&BlockMove { travel: vec![(2, -1250)], feed: 600.0, rapid: false }).unwrap();
@@ -337,18 +351,140 @@ fn an_emergency_stop_is_steeper_than_a_stop() {
 }
 
 #[test]
+fn an_emergency_stop_holds_manual_movement_and_a_stop_does_not() {
+    let mut bench = Bench::new("");
+    jog(&mut bench, 6000);
+    bench.run(300);
+    bench.motion.hold(Hold::Stop);
+    bench.run(100);
+    let before = bench.position(1, 0);
+    bench.motion.hold(Hold::Emergency);
+    bench.run(200);
+    let stopped = bench.position(1, 0);
+    near(stopped - before, 2500.0, 100.0);
+    bench.run(200);
+    assert_eq!(bench.position(1, 0), stopped);
+}
+
+#[test]
 fn a_restart_stops_everything_and_a_cold_one_forgets_the_positions() {
     let mut bench = Bench::new("");
     bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 600.0, rapid: false }).unwrap();
     bench.run(500);
     let there = bench.position(1, 0);
-    let mut memory = bench.memory.clone();
-    bench.motion.start(&mut technol_machine::Cells::new(&mut memory), false);
-    bench.memory = memory;
+    bench.motion.start(false);
     bench.run(500);
     near(bench.position(1, 0), there, 0.001);
     assert_eq!(bench.motion.block(), BlockState::None);
-    bench.motion.start(&mut technol_machine::Cells::new(&mut bench.memory), true);
+    bench.motion.start(true);
     bench.tick();
     assert_eq!(bench.position(1, 0), 0.0);
+}
+
+#[test]
+fn the_handwheel_moves_the_preselected_axis_by_its_steps() {
+    let mut bench = Bench::new("");
+    bench.cells().set_word(place::WHEEL_STEP, 100);
+    bench.motion.select_key(2).unwrap();
+    bench.motion.turn_wheel(3);
+    bench.run(100);
+    assert_eq!(bench.position(2, 0), 0.0, "manual movement is not active");
+    bench.set(place::JOG_BEGIN, true);
+    bench.tick();
+    bench.motion.turn_wheel(30);
+    bench.run(20);
+    assert!(bench.is(place::REQUESTED.of(1)));
+    bench.motion.turn_wheel(-5); // on the way
+    bench.run(500);
+    assert_eq!(bench.position(2, 0), 2500.0);
+    assert!(!bench.is(place::REQUESTED.of(1)));
+    // The program preselects axis 1, which does not move by that.
+    bench.set(place::EXTERNAL_JOG, true);
+    bench.set(place::EXTERNAL_SELECT, true);
+    bench.set(place::EXTERNAL_PLUS.of(0), true);
+    bench.run(10);
+    assert!(bench.is(place::JOG_SELECTING) && bench.is(place::JOG_PLUS.of(0)));
+    bench.set(place::EXTERNAL_SELECT, false);
+    bench.set(place::EXTERNAL_PLUS.of(0), false);
+    bench.motion.turn_wheel(1);
+    bench.run(100);
+    assert_eq!((bench.position(1, 0), bench.position(2, 0)), (100.0, 2500.0));
+    // The key of an axis that is preselected switches it off when the program wants that.
+    bench.set(place::WHEEL_TOGGLE, true);
+    bench.motion.select_key(1).unwrap();
+    bench.tick();
+    bench.motion.turn_wheel(1);
+    bench.run(100);
+    assert_eq!(bench.position(1, 0), 100.0);
+}
+
+#[test]
+fn a_jog_key_preselects_its_axis_unless_the_program_forbids_it() {
+    for (forbidden, expected) in [(false, 50.0), (true, 0.0)] {
+        let mut bench = Bench::new("");
+        bench.cells().set_word(place::WHEEL_STEP, 50);
+        bench.set(place::NO_WHEEL, forbidden);
+        bench.set(place::JOG_BEGIN, true);
+        bench.motion.jog_key(1, Some(Direction::Plus)).unwrap();
+        bench.run(100);
+        bench.motion.jog_key(1, None).unwrap();
+        bench.run(200);
+        let before = bench.position(1, 0);
+        bench.motion.turn_wheel(1);
+        bench.run(200);
+        near(bench.position(1, 0) - before, expected, 0.001);
+    }
+}
+
+#[test]
+fn the_hash_of_the_state_tells_what_moves() {
+    let mut bench = Bench::new("");
+    bench.run(5);
+    let rest = bench.motion.state_hash();
+    bench.run(5);
+    assert_eq!(bench.motion.state_hash(), rest);
+    jog(&mut bench, 60);
+    bench.tick();
+    assert_ne!(bench.motion.state_hash(), rest);
+}
+
+#[test]
+fn the_independent_shift_goes_beside_the_path_and_back_with_its_mode() {
+    let mut bench = Bench::new("");
+    bench.cells().set_word(place::WHEEL_STEP, 100);
+    bench.cells().set_byte(place::OFFSET_ALLOWED, 0x3F);
+    bench.set(place::OFFSET_MODE, true);
+    bench.set(place::OFFSET_ACTIVE, true);
+    bench.motion.select_key(1).unwrap();
+    bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 1200.0, rapid: false }).unwrap();
+    bench.run(200);
+    assert_eq!(bench.cells().byte(place::OFFSET_AXIS), 1);
+    bench.motion.turn_wheel(-7);
+    bench.run(2000);
+    assert_eq!(
+        (bench.position(1, 0), bench.position(1, 4)),
+        (20_000.0, 20_000.0),
+        "the program does not notice"
+    );
+    near(bench.position(1, 5), 19_300.0, 0.001);
+    assert_eq!(bench.cells().dword(place::OFFSET), -5600);
+    assert_eq!(bench.cells().dword(place::SERVO_MEASURED), 19_300);
+    bench.set(place::OFFSET_ACTIVE, false);
+    bench.motion.turn_wheel(-7);
+    bench.run(200);
+    near(bench.position(1, 5), 19_300.0, 0.001);
+    assert_eq!(bench.cells().byte(place::OFFSET_AXIS), 0);
+    bench.set(place::OFFSET_MODE, false);
+    bench.tick();
+    assert!(bench.is(place::REQUESTED.of(0)));
+    bench.run(500);
+    near(bench.position(1, 5), 20_000.0, 0.001);
+    assert_eq!(bench.cells().dword(place::OFFSET), 0);
+    // An axis that must not be shifted is not.
+    bench.set(place::OFFSET_MODE, true);
+    bench.set(place::OFFSET_ACTIVE, true);
+    bench.cells().set_byte(place::OFFSET_ALLOWED, 0x3E);
+    bench.motion.turn_wheel(5);
+    bench.run(200);
+    near(bench.position(1, 5), 20_000.0, 0.001);
 }

@@ -12,7 +12,7 @@ fn errors(toml: &str) -> Vec<String> {
 #[test]
 fn everything_that_is_wrong_with_axes_and_spindles_is_named_with_its_place() {
     let toml = "[[contact]]\noutput='P0OUT.0'\ninput='P1IN.0'\n\
-        [[axis]]\nnumber=0\nfeed=0\ngain=1001\nlimit-minus=5\nlimit-plus=4.5\nref-method=2\nservos=[1,17]\n\
+        [[axis]]\nnumber=0\nfeed=0\ngain=1001\ngains=[0]\nlimit-minus=5\nlimit-plus=4.5\nref-method=2\nservos=[1,17]\n\
         [[axis]]\nnumber=2\nref-method=10\nref-switch='none'\nlimit-zone=-1\n\
         switch=[{input='P1IN.0',from=1},{input='P1IN.1'},{input='P0OUT.0',to=1},{input='P1IN.2',from=2,to=1,servo=3}]\n\
         [[axis]]\nnumber=2\n\
@@ -23,6 +23,7 @@ fn everything_that_is_wrong_with_axes_and_spindles_is_named_with_its_place() {
         "axis[0].number: must be 1 (X) to 16",
         "axis[0].feed: 0.000 must be greater than 0",
         "axis[0].gain: must be 1 to 1000; the loop has a tick of 1 ms",
+        "axis[0].gains: needs at most 4 numbers from 1 to 1000",
         "axis[0].limit-minus: 5.000 must be less than `limit-plus`, 4.500",
         "axis[0].ref-method: must be 1, 5 or 9 to 15",
         "axis[0].servos: needs at most 4 numbers from 1 to 16",
@@ -85,7 +86,6 @@ fn switches_follow_the_position_of_their_axis() {
     cells.set_axes(technol_image::system::motion::ENABLE, 1);
     cells.set_axes(technol_image::system::motion::LOOP_CLOSED, 1);
     cells.set_word(technol_image::system::motion::FEED_MULTIPLIER, 1000);
-    motion.start(&mut cells, true);
     let mut inputs = [0; INPUT_PORTS];
     let mut look = |plant: &mut Plant, motion: &Motion| {
         plant.place_axes(motion);

@@ -2,7 +2,7 @@
 
 use technol_image::op::BitRef;
 use technol_image::system::{self, motion as place};
-use technol_machine::motion::{Hold, SpiAx};
+use technol_machine::motion::{Hold, Request, SpiAx};
 
 use crate::support::{Bench, bit};
 
@@ -273,6 +273,30 @@ fn references_through_the_program_only_ask() {
     bench.memory = memory;
     bench.run(3);
     assert_eq!(bench.cells().word(place::HOMING), 0b10, "only axis 2 is made by the control");
+}
+
+#[test]
+fn requests_of_the_operator_are_answered_in_the_next_tick() {
+    let mut bench = Bench::new("[[axis]]\nnumber=1\nref-method=13\n[[axis]]\nnumber=2\nref-method=1\n");
+    for request in [
+        Request::Home(1),
+        Request::Home(2),
+        Request::Home(17),
+        Request::HomeGroup,
+        Request::Reference(5, true),
+        Request::PseudoReference(4),
+    ] {
+        assert!(bench.motion.ask(request));
+    }
+    bench.run(3);
+    assert_eq!(bench.cells().word(place::HOMING), 0b1_1001);
+    assert!(bench.is(place::HOMING_PLC) && bench.is(place::HOMING_GROUP));
+    assert_eq!(bench.cells().word(place::HOMING_AXES), 0b10);
+    bench.motion.ask(Request::HomeByProgram(0b1100));
+    bench.motion.ask(Request::Annul);
+    bench.tick();
+    assert_eq!(bench.cells().word(place::HOMING_AXES), 0b1100);
+    assert!((0..32).all(|_| bench.motion.ask(Request::Annul)) && !bench.motion.ask(Request::Annul));
 }
 
 #[test]

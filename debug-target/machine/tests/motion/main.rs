@@ -5,5 +5,6 @@ mod axes;
 mod description;
 mod homing;
 mod positioning;
+mod properties;
 mod spindles;
 mod support;

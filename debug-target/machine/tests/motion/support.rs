@@ -43,7 +43,6 @@ impl Bench {
         cells.set_word(place::FEED_MULTIPLIER, 1000);
         cells.set_word(place::SPEED_MULTIPLIER, 1000);
         cells.set_bit(place::JOG_ALLOWED, true);
-        bench.motion.start(&mut cells, true);
         bench
     }
 

@@ -1,0 +1,131 @@
+//! Axes, spindles and analogue outputs (manual 12, 13.1 and 19).
+
+use crate::plc::{Plc, check};
+
+/// What holds after so many cycles of these lines.
+#[track_caller]
+fn after(cycles: u32, init: &str, main: &str, given: &str, then: &str) {
+    let mut plc = Plc::with_init(init, main);
+    plc.set(given);
+    plc.run(cycles);
+    assert_eq!(plc.fault(), None, "{init}: {main}");
+    assert_eq!(plc.differences(then), [""; 0], "{init}: {main}, {cycles} cycles");
+}
+
+// 10 mm at 6000 mm/min by 1000 mm/s²: 200 ms. The control record is B1 and B2, the status record IB and OB.
+const TRAVEL: &str = "LOD CNST.10000 / STO D1 / LOD CNST.1000 / STO W1";
+const FULL: &str = "D2=17700000h";
+
+#[test]
+fn a_positioning_unit_carries_an_axis_to_its_target() {
+    let init = format!("{TRAVEL} / POS_INIT 2 / POS_MODE B1,D1,W1,2");
+    let main = "POS_CONTROL IB,D2,-,2";
+    // Held and programmed, but not enabled.
+    after(3, &init, main, FULL, "IB=0 OB=3 B2=8 PO_OSYPI=1");
+    let enabled = "D2=17700000h B2=1";
+    after(5, &init, main, enabled, "IB=1 OB=3 QWRD.POSITION_POS5_EX=0 PO_OSYPI=1 SM_POYPI=0");
+    after(13, &init, main, enabled, "IB=8 OB=3 B2=1 QWRD.(POSITION_POS5_EX+8)=27100000h PO_OSYPI=0");
+    // The space of transformations decides where it shows.
+    let interpolated = init.replace("POS_INIT 2", "POS_INIT 2,0");
+    after(13, &init, main, enabled, "QWRD.(B_POL_EX+8)=0");
+    after(13, &interpolated, main, enabled, "QWRD.(B_POL_EX+8)=27100000h DWRD.(B_POL+4)=80000");
+    // The enable of the instruction goes into the record.
+    after(13, &init, "POS_CONTROL W2,D2,I7,2", FULL, "W2=300h B2=8");
+    after(13, &init, "POS_CONTROL W2,D2,I7,2", "D2=17700000h I7=1", "W2=308h B2=1");
+    // A constant 0 as speed only reads the status.
+    after(13, &init, "POS_CONTROL IB,0,NIL,2", enabled, "IB=0 OB=3");
+}
+
+#[test]
+fn the_older_instructions_do_the_same() {
+    for (axis, index) in [("X", 0), ("Y", 1), ("Z", 2), ("4", 3), ("5", 4), ("6", 5)] {
+        let init = format!("{TRAVEL} / POS_INIT_{axis} / POS_MODE_{axis} B1,D1,W1,W2");
+        let main = format!("POS_CONTROL_{axis} Q1,D2,I7");
+        let given = "D2=17700000h I7=1";
+        let there = format!("WORD.Q1=308h QWRD.(POSITION_POS5_EX+{})=27100000h", 8 * index);
+        after(13, &init, &main, given, &there);
+        // The approach at 60 mm/min, 1 mm/s, takes a tenth of a second more.
+        let approach = format!("LOD CNST.60 / STO W2 / {init}");
+        after(12, &approach, &main, given, "WORD.Q1=301h");
+        after(24, &approach, &main, given, "WORD.Q1=308h");
+        let reset = format!("POS_CONTROL_{axis} IB,D2 / POS_RESET_{axis}");
+        after(3, &init, &reset, FULL, "IB=0 OB=0");
+    }
+}
+
+#[test]
+fn what_cannot_be_is_told_in_the_status_record_alone() {
+    // Without POS_INIT; without a ramp; a seventh axis; an open loop.
+    after(2, "", "POS_MODE B1,D1,W1,1 / POS_CONTROL IB,D2,-,1", "", "IB=0 OB=4");
+    after(2, "POS_INIT 1", "POS_MODE B1,D1,W2,1 / POS_CONTROL IB,D2,-,1", "", "IB=0 OB=5");
+    let six = "POS_INIT 1 / POS_INIT 2 / POS_INIT 3 / POS_INIT 4 / POS_INIT 5 / POS_INIT 16";
+    after(2, six, "POS_INIT 7 / POS_CONTROL IB,D2,-,7", "", "OB=4");
+    after(2, "", "POS_INIT 1 / POS_CONTROL IB,D2,-,1", "VAZBA_X=0", "OB=4");
+    after(2, six, "POS_RESET 16 / POS_INIT 7 / POS_CONTROL IB,D2,-,7", "", "OB=1");
+}
+
+#[test]
+fn positioning_leaves_the_registers() {
+    let lines =
+        "LOD CNST.77 / LDR I0 / POS_INIT 1 / POS_MODE B1,D1,W1,1 / POS_CONTROL D2,D1,-,1 / POS_RESET 1";
+    check(&[("I0=1", lines, "RLO=1 DR=77"), ("I0=0", lines, "RLO=0 DR=77")]);
+}
+
+#[test]
+fn a_ramp_follows_dr() {
+    check(&[
+        ("W1=100", "LOD CNST.1000 / RAMP W1,30", "W1=130 DR=130"),
+        ("W1=100", "LOD CNST.-1000 / RAMP W1,30", "W1=70 DR=70"),
+        ("W1=100", "LOD CNST.110 / RAMP W1,30", "W1=110 DR=110"),
+        ("W1=100", "LOD CNST.110 / RAMP W1,W2", "W1=100 DR=100"), // a step of 0 holds
+        ("W1=100 W2=-4", "LOD CNST.0 / RAMP W1,W2", "W1=96 DR=96"),
+        ("B1=-100", "LOD CNST.-128 / RAMP B1,20", "B1=-120 DR=-120"),
+        ("D1=70000", "LOD CNST.0 / RAMP D1,60000", "D1=10000 DR=10000"),
+        ("I0=1", "LDR I0 / LOD CNST.5 / RAMP W1,1", "RLO=1 W1=1 WORD.W2=0"),
+    ]);
+}
+
+/// Outputs 1 to 6 after two cycles of these lines.
+fn outputs(init: &str, main: &str, given: &str) -> Vec<i16> {
+    let mut plc = Plc::with_init(init, main);
+    plc.set(given);
+    plc.run(2);
+    assert_eq!(plc.fault(), None, "{init}: {main}");
+    plc.analog()[..6].to_vec()
+}
+
+#[test]
+fn analogue_values_go_to_the_port_or_to_the_spindle() {
+    assert_eq!(outputs("", "LOD CNST.100 / ANALOG", ""), [0; 6]);
+    assert_eq!(outputs("ANALOG_PORT 5", "LOD CNST.100 / ANALOG", ""), [0, 0, 0, 0, 100, 0]);
+    assert_eq!(outputs("ANALOG_PORT 5", "ANALOG W1", "W1=-7"), [0, 0, 0, 0, -7, 0]);
+    assert_eq!(outputs("ANALOG_PORT 6", "ANALOG 8000h", ""), [0, 0, 0, 0, 0, -0x7FFF]);
+    let spindles = "AX_SPI 4,MAIN / AX_SPI 5,ASSIST";
+    assert_eq!(outputs(spindles, "ANALOG W1,4 / ANALOG W2,5", "W1=1 W2=2"), [0, 0, 0, 1, 2, 0]);
+    assert_eq!(outputs(spindles, "ANALOG 3,4,2 / ANALOG 4,4,1", ""), [0, 0, 0, 4, 3, 0]);
+    assert_eq!(outputs(spindles, "SPI_MAIN 5 / ANALOG 3,4,2 / ANALOG 4,4,1", ""), [0, 0, 0, 3, 4, 0]);
+    assert_eq!(outputs(spindles, "ANALOG 9,C", ""), [0, 0, 0, 0, 9, 0]);
+    assert_eq!(outputs(spindles, "LOD CNST.6 / ANALOG_SPI -,4 / ANALOG_SPI 7,3", ""), [0, 0, 0, 6, 0, 0]);
+    assert_eq!(outputs("AX_SPI 4", "ANALOG 1,4 / AX_SPI 4,0", ""), [0; 6]);
+    assert_eq!(
+        outputs("AX_SPI 4", "ANALOG 5,4,1", ""),
+        [0, 0, 0, 5, 0, 0],
+        "the only spindle is the main one"
+    );
+}
+
+#[test]
+fn a_spindle_becomes_an_axis_again_at_its_zero_pulse() {
+    after(2, "AX_SPI 4", "", "", "VAZBA_4=0 POLOHV_4=0");
+    // 10000 mm/min down to the pulse would be the run of an axis; a spindle goes at RefSpeedLow, 50 ° a minute.
+    let init = "AX_SPI 4 / SPI_AX -,-,-,-,4";
+    after(2, init, "", "KR4=0", "VAZBA_4=1 POLOHV_4=1 PO_OS4PI=1");
+    after(2, init, "FL 0,POLOHV_4", "", "POLOHV_4=0 PO_OS4PI=0 WORD.HOMING=0");
+    after(2, "AX_SPI 4", "SPI_AX 1000,-1000,500,100", "", "POLOHV_4=1 SM_PO4PI=0");
+    after(2, "", "SPI_AX -1000,-,-,-,4", "", "POLOHV_4=1 SM_PO4PI=1");
+}
+
+#[test]
+fn regulator_sets_are_taken() {
+    after(1, "", "REGUL_X 1 / REGUL_Y 2 / REGUL_Z 3 / REGUL_4 4 / REGUL_5 1 / REGUL_6 2", "", "RLO=0");
+}
