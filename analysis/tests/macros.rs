@@ -162,6 +162,15 @@ fn a_macro_without_t_local_can_be_called_once() {
 }
 
 #[test]
+fn a_name_that_many_calls_declare_shows_a_few_of_its_other_places() {
+    let body = "DEF_T_MACRO KEEP FROM\n DATA_LOCAL\nKEPT: DS 1\n DATA_LOCAL_END\n LDR TMAC.FROM\n STO1 KEPT\nEND_T_MACRO T_END\n";
+    let many = main_file(" T_INCLUDE KEEP.INC\n", &" KEEP START\n".repeat(200));
+    let found = check(&[("p/main.plc", &many), ("p/KEEP.INC", body)]);
+    assert_eq!(found.matches("T0201").count(), 200);
+    assert_eq!(found.matches("also declared here").count(), 200 * 5);
+}
+
+#[test]
 fn data_and_code_of_definition_files_keep_their_rules() {
     let main = main_file(" T_INCLUDE BAD.INC\n", "");
     let bad = format!("{COPY} COPY START,RED\n LDR START\n WR RED\n");

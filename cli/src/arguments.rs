@@ -92,7 +92,12 @@ pub(crate) struct RunArguments {
     #[arg(default_value = ".")]
     pub(crate) path: PathBuf,
     /// How many 20 ms cycles to run
-    #[arg(long, value_name = "N")]
+    #[arg(
+        long,
+        value_name = "N",
+        required_unless_present = "explain_machine",
+        default_value_if("explain_machine", "true", "0")
+    )]
     pub(crate) cycles: u64,
     /// Set a bit, variable or mechanism before a cycle (default: before cycle 0, after MODULE_INIT)
     #[arg(long, value_name = "NAME=VALUE[@CYCLE]")]
@@ -115,6 +120,9 @@ pub(crate) struct RunArguments {
     /// Release a key of the machine before a cycle
     #[arg(long, value_name = "KEY[@CYCLE]")]
     pub(crate) release: Vec<String>,
+    /// Tell what the machine wires to what, and what the program uses that is connected to nothing; run nothing
+    #[arg(long)]
+    pub(crate) explain_machine: bool,
 }
 
 /// `technol test`

@@ -1,6 +1,7 @@
 //! `technol run`: a project on the simulated machine, in virtual time.
 
 pub(crate) mod changes;
+mod explain;
 mod report;
 
 use std::time::{Duration, Instant};
@@ -28,6 +29,13 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
         Some(path) => Some(technol_target::load_machine(&path).map_err(|e| Failure::usage(e.to_string()))?),
         None => None,
     };
+    if arguments.explain_machine {
+        let machine = machine.ok_or_else(|| {
+            Failure::usage("no machine is described: name a file by `file` in `[machine]` of technol.toml")
+        })?;
+        explain::explain(&machine, &program, &debug, arguments.format);
+        return Ok(exit::OK);
+    }
     // Everything that was asked for is checked before anything moves.
     let wanted = Wanted::parse(&arguments.print, &debug, &program)?;
     let mut changes = Changes::parse(arguments, &debug, &program)?;

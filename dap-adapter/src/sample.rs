@@ -137,6 +137,7 @@ fn program() -> Program {
         sequences: vec![sequence(0, 7, 13, 18, vec![11, 13]), sequence(1, 15, 17, 4, vec![17])],
         timed: Vec::new(),
         messages: Vec::new(),
+        services: Vec::new(),
         procedures: vec![Procedure { name: "STEP".into(), start: 21, end: 24 }],
         initial: Vec::new(),
         init_finished: Vec::new(),

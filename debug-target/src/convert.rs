@@ -98,6 +98,7 @@ pub(crate) fn fault(fault: &runtime::Fault) -> wire::Fault {
         runtime::FaultKind::UnexpectedReturn => wire::FaultKind::UnexpectedReturn,
         runtime::FaultKind::UnexpectedEnd => wire::FaultKind::UnexpectedEnd,
         runtime::FaultKind::BadContinuation { .. } => wire::FaultKind::BadContinuation,
+        runtime::FaultKind::NoService(_) => wire::FaultKind::NoService,
     };
     wire::Fault {
         kind,

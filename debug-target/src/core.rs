@@ -311,6 +311,7 @@ fn empty_program() -> Program {
         sequences: Vec::new(),
         timed: Vec::new(),
         messages: Vec::new(),
+        services: Vec::new(),
         procedures: Vec::new(),
         initial: Vec::new(),
         init_finished: Vec::new(),

@@ -16,6 +16,7 @@ mod embedded;
 mod link;
 mod listen;
 mod machine_file;
+mod part_program;
 mod pipe;
 mod serial;
 mod serve;

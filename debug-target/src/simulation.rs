@@ -2,9 +2,14 @@
 
 use std::collections::VecDeque;
 
+use technol_image::op::BitRef;
 use technol_image::{Program, system};
-use technol_machine::{BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent};
-use technol_runtime::{Block, Command, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
+use technol_machine::{
+    BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent, SimulatedControl,
+};
+use technol_runtime::{Block, Command, Gear, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
+
+use crate::part_program;
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;
@@ -25,10 +30,12 @@ fn list(errors: &[ConfigError]) -> String {
 }
 
 /// A program that runs against a simulated machine, millisecond by millisecond. Deterministic: what happens
-/// depends only on the calls made.
+/// depends only on the calls made, so a clone is a saved state: it goes on as the original would.
+#[derive(Clone, Debug)]
 pub struct Simulation {
     runtime: Runtime,
     plant: Plant,
+    control: SimulatedControl,
     inputs: InputImage,
     /// The millisecond the machine was moved for.
     moved: Option<u64>,
@@ -54,9 +61,20 @@ impl Simulation {
         let _ = runtime.set_fast_ports(plant.fast_inputs(), plant.fast_outputs());
         // Nor does it know another period than those of the image.
         let _ = runtime.set_fastest_period(plant.fastest_period());
+        let control = plant.control();
+        // Nor another group than those.
+        let _ = runtime.set_m_groups(&control.m_groups);
+        let gears: Vec<Gear> = control
+            .gears
+            .iter()
+            .map(|gear| Gear { max_speed: gear.max_speed, max_output: gear.max_output })
+            .collect();
+        runtime.set_gears(&gears);
+        runtime.set_conditional_stop(control.conditional_stop);
         Ok(Simulation {
             runtime,
             plant,
+            control: SimulatedControl::new(),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -85,6 +103,15 @@ impl Simulation {
         &mut self.plant
     }
 
+    /// A number that two simulations of the same program and machine share when they go on the same way from here.
+    pub fn state_hash(&self) -> u64 {
+        let Simulation { runtime, plant, control, inputs, moved, starting, waiting, handed } = self;
+        // Only equality matters, and both halves are mixed already.
+        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {handed}");
+        let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
+    }
+
     /// Input ports as the PLC will see them.
     pub fn inputs(&self) -> &InputImage {
         &self.inputs
@@ -110,13 +137,14 @@ impl Simulation {
         let running = self.runtime.state().is_cycling() && self.runtime.stopped().is_none();
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
-            for PlantEvent::StartBlock(block) in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
-                self.take_block(block);
+            for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
+                self.take(event);
             }
+            self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
             self.hand_over_blocks();
         }
         let first = events.len();
-        let outcome = self.runtime.tick(&self.inputs, events);
+        let outcome = self.runtime.tick_with(&self.inputs, &mut self.control, events);
         if std::mem::take(&mut self.starting) {
             self.moved = None;
         }
@@ -144,23 +172,25 @@ impl Simulation {
     /// Starts a block as the control would, beside those of the machine's part program: it begins when its turn
     /// comes, one of central annulment at once. A block that is out of range ends as a rejection among the events.
     pub fn start_block(&mut self, block: BlockStart) {
-        self.take_block(block);
+        self.take(PlantEvent::StartBlock(block));
     }
 
-    fn take_block(&mut self, block: BlockStart) {
-        let mode = match block.mode {
-            BlockMode::Auto => technol_runtime::BlockMode::Auto,
-            BlockMode::CentralAnnulment => technol_runtime::BlockMode::CentralAnnulment,
-            BlockMode::Reference => technol_runtime::BlockMode::Reference,
-            BlockMode::Other => technol_runtime::BlockMode::Other,
+    fn take(&mut self, event: PlantEvent) {
+        let command = match event {
+            PlantEvent::StartBlock(block) => {
+                if block.mode == BlockMode::CentralAnnulment {
+                    // It does not wait for its turn: it ends what is going on.
+                    self.forget_blocks();
+                    self.runtime.command(Command::AbortBlock);
+                }
+                self.waiting.push_back(part_program::block(block));
+                return;
+            }
+            PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
+            PlantEvent::Start => Command::ContinueBlock,
+            PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };
-        if block.mode == BlockMode::CentralAnnulment {
-            // It does not wait for its turn: it ends what is going on.
-            self.forget_blocks();
-            self.runtime.command(Command::AbortBlock);
-        }
-        let BlockStart { m, s, t, h, motion_ms, rapid, .. } = block;
-        self.waiting.push_back(Block { m, t, s, h, motion_ms, rapid, mode });
+        self.runtime.command(command);
     }
 
     fn hand_over_blocks(&mut self) {
@@ -176,12 +206,16 @@ impl Simulation {
             matches!(e, RuntimeEvent::BlockStarted { .. } | RuntimeEvent::BlockRejected(_))
         };
         self.handed = self.handed.saturating_sub(events.iter().filter(done).count());
-        // A stop makes the PLC forget the blocks it was given; the rest of the part program goes with them.
-        let stop = system::PO_STOP;
-        let byte = self.runtime.memory().get(stop.addr as usize).copied().unwrap_or(0);
-        if byte >> stop.bit & 1 != 0 || !(self.starting || self.runtime.state().is_cycling()) {
+        // A stop in a block makes the PLC forget the blocks it was given; the rest of the part program goes with
+        // them. Behind M00 no block is in progress, and they go on.
+        let stopped = self.flag(system::PO_STOP) && self.flag(system::PO_F);
+        if stopped || !(self.starting || self.runtime.state().is_cycling()) {
             self.forget_blocks();
         }
+    }
+
+    fn flag(&self, bit: BitRef) -> bool {
+        self.runtime.memory().get(bit.addr as usize).is_some_and(|byte| byte >> bit.bit & 1 != 0)
     }
 
     fn forget_blocks(&mut self) {

@@ -10,7 +10,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("technol-image", &[]),
     ("technol-wire", &[]),
     ("technol-runtime", &["technol-image"]),
-    ("technol-machine", &["technol-image"]),
+    ("technol-machine", &["technol-image", "technol-runtime"]),
     ("technol-analysis", &["technol-image"]),
     ("technol-target", &["technol-image", "technol-machine", "technol-runtime", "technol-wire"]),
     ("technol-dap", &["technol-analysis", "technol-image", "technol-wire"]),

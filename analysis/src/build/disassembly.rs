@@ -11,7 +11,11 @@ use technol_image::op::{
     Addr, Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Pc, Place, Raster, Source, Unary, Width,
 };
 use technol_image::program::{Message, Program, SequenceKind, Timed};
+use technol_image::service::{Arg, ServiceCall};
 
+use technol_image::system::BLOCK_WINDOW;
+
+use super::block_names;
 use super::debug_info::memory_of;
 
 /// Writes operations of one program with its names.
@@ -151,6 +155,7 @@ impl<'a> Disassembler<'a> {
             Op::RloToDr(width) => format!("CONRD{}", width_keyword(*width)),
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
+            Op::SelectBlock { offset, len } => format!("{{BLK[BX]: {len} bytes at {offset}}}"),
             other => format!("{other:?}"),
         }
     }
@@ -175,6 +180,9 @@ impl<'a> Disassembler<'a> {
                 let message = self.program.messages.get(usize::from(*index));
                 let parameters = message.map_or(" ?".to_owned(), |m| self.message(m));
                 format!("ESET{}{parameters}", suffix(*cond))
+            }
+            Op::Service(index) => {
+                self.program.services.get(usize::from(*index)).map_or("?".to_owned(), |call| self.call(call))
             }
             Op::InitFinished(_) => "MODULE_INIT_FINISHED".to_owned(),
             Op::DoneFinished(_) => "MODULE_DONE_FINISHED".to_owned(),
@@ -216,6 +224,21 @@ impl<'a> Disassembler<'a> {
         if parts.is_empty() { String::new() } else { format!(" {}", parts.join(",")) }
     }
 
+    fn call(&self, call: &ServiceCall) -> String {
+        let arg = |arg: &Arg| match arg {
+            Arg::Missing => "-".to_owned(),
+            Arg::Int(value) => value.to_string(),
+            Arg::Real(value) => format!("{value:?}"),
+            Arg::Text(bytes) => format!("'{}'", bytes.escape_ascii()),
+            Arg::Keyword(word) => word.clone(),
+            Arg::Cell { place, width, neg } => format!("{}{}", sign(*neg), self.place(*place, *width)),
+            Arg::Bit { bit, neg } => format!("{}{}", sign(*neg), self.bit(bit)),
+            Arg::Area { place, .. } => self.area(*place),
+        };
+        let args: Vec<String> = call.args.iter().map(arg).collect();
+        format!("{} {}", call.service.name(), args.join(",")).trim_end().to_owned()
+    }
+
     fn sequence(&self, n: u16) -> String {
         self.sequences.get(&n).map_or_else(|| format!("{{{n}}}"), |name| (*name).to_owned())
     }
@@ -235,7 +258,11 @@ impl<'a> Disassembler<'a> {
     pub fn bit(&self, bit: &BitRef) -> String {
         match self.bits.get(&(bit.addr, bit.bit)) {
             Some(name) if !bit.indexed => (*name).to_owned(),
+            _ if bit.addr == BLOCK_WINDOW => format!("{{BLK[BX]}}.{}", bit.bit),
             _ => {
+                if let Some(name) = block_names::bit(bit.addr, bit.bit) {
+                    return name;
+                }
                 let place = Place { addr: bit.addr, indexed: bit.indexed };
                 format!("{}.{}", self.area(place), bit.bit)
             }
@@ -252,6 +279,12 @@ impl<'a> Disassembler<'a> {
 
     /// A cell as text, with a prefix when its declared type is another one.
     fn place(&self, place: Place, width: Width) -> String {
+        if place.addr == BLOCK_WINDOW {
+            return format!("{{BLK[BX]}}.{}", prefix(width));
+        }
+        if let Some((number, name)) = block_names::cell(place.addr) {
+            return format!("BLK[{number}].{}.{name}", prefix(width));
+        }
         let declared = self.cells.get(&place.addr).and_then(|cell| cell.width);
         let name = self.area(place);
         if declared == Some(width) { name } else { format!("{}.{name}", prefix(width)) }

@@ -239,6 +239,8 @@ impl<'a> Linker<'a> {
         let Some(code) = section.code else { return };
         let bases = self.bases.get(visit.section).copied().unwrap_or_default();
         let (timed, messages) = (self.program.timed.len(), self.program.messages.len());
+        let services = self.program.services.len();
+        self.program.services.extend_from_slice(&code.services);
         self.program.timed.extend_from_slice(&code.timed);
         self.program.messages.extend_from_slice(&code.messages);
         let mut relocation = Relocation {
@@ -249,6 +251,7 @@ impl<'a> Linker<'a> {
             states: bases.1,
             timed,
             messages,
+            services,
             sequence: self.addresses.number(visit.section).unwrap_or_default(),
             file: section.owner,
             line: 0,
@@ -277,6 +280,11 @@ impl<'a> Linker<'a> {
                 Op::Message { index, .. } => {
                     if let Some(parameters) = self.program.messages.get_mut(messages + usize::from(index)) {
                         result = result.and(relocation.message(parameters));
+                    }
+                }
+                Op::Service(index) => {
+                    if let Some(parameters) = self.program.services.get_mut(services + usize::from(index)) {
+                        result = result.and(relocation.service(parameters));
                     }
                 }
                 _ => {}
@@ -363,6 +371,7 @@ fn empty_program(name: &str, regions: Vec<Region>, layout: &Layout) -> Program {
         sequences: Vec::new(),
         timed: Vec::new(),
         messages: Vec::new(),
+        services: Vec::new(),
         procedures: Vec::new(),
         initial: with_power_on(&layout.initial),
         init_finished: Vec::new(),

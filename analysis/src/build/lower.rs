@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use technol_image::op::{Cond, DrTest, Op, Source, Width};
 use technol_image::program::{Message, Timed};
+use technol_image::service::{Service, ServiceCall};
 
 use super::mnemonic::{Form, form};
-use super::operands::keyword_width;
+use super::operands::{block_selection, keyword_width};
 use super::section_code::{ClearRange, LineProblem, NestedCode, ProblemKind, ResumePoint, SectionCode};
 use crate::catalogue::EntryKind;
 use crate::semantics::hir::{Body, Instruction, Operand, StatementKind};
@@ -101,9 +102,8 @@ impl Lowering {
             }
             return;
         };
-        if instruction.operands.iter().any(|operand| matches!(operand, Operand::Block { .. })) {
-            self.problem(ProblemKind::NotExecutable("BLK[n], the prepared blocks".to_owned()));
-            return;
+        if let Some(selection) = instruction.operands.first().and_then(block_selection) {
+            self.emit(selection);
         }
         let operands = Operands { name: entry.name, list: &instruction.operands };
         if let Err(problem) = self.translate(form, instruction.push, &operands) {
@@ -160,6 +160,7 @@ impl Lowering {
                 return self.sequential(form, operands);
             }
             Form::Message(cond) => return self.message(cond, operands),
+            Form::Service(service) => return self.service(service, operands),
             Form::InitFinished => {
                 self.code.init_finished = true;
                 self.emit(Op::InitFinished(0));
@@ -408,6 +409,17 @@ impl Lowering {
         let index = table_index("messages", self.code.messages.len())?;
         self.code.messages.push(Message { number, sub_id, set, parameters });
         self.emit(Op::Message { index, cond });
+        Ok(())
+    }
+
+    fn service(&mut self, service: Service, operands: &Operands<'_>) -> Result<(), ProblemKind> {
+        let mut args = Vec::with_capacity(operands.list.len());
+        for n in 0..operands.list.len() {
+            args.push(self.code.arg(operands.get(n)).ok_or_else(|| operands.problem(n))?);
+        }
+        let index = table_index("instructions of the control", self.code.services.len())?;
+        self.code.services.push(ServiceCall { service, args });
+        self.emit(Op::Service(index));
         Ok(())
     }
 

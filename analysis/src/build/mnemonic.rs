@@ -1,6 +1,7 @@
 //! Which operation an instruction becomes.
 
 use technol_image::op::{Arith, Compare, Cond, Count, Logic, Raster, Unary};
+use technol_image::service::Service;
 
 /// How an instruction is translated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +51,8 @@ pub(super) enum Form {
     Bex,
     Timed(Option<bool>),
     Message(Cond),
+    /// Carried out by the control, or by the runtime as a whole.
+    Service(Service),
     /// `MOV BX,CX`.
     Mov,
     InitFinished,
@@ -143,10 +146,24 @@ const FORMS: &[(&str, Form)] = &[
     ("XORB", Form::Arith(Arith::Xor)),
 ];
 
+/// Services the target carries out.
+const SERVICES: &[Service] = &[
+    Service::StrCpy,
+    Service::StrAdd,
+    Service::BinStr,
+    Service::BcdStr,
+    Service::StrCmp,
+    Service::MemCpy,
+    Service::MemCmp,
+    Service::Edef,
+];
+
 /// How `mnemonic` (upper case) is translated; `None` when the target has no code for it.
 pub(super) fn form(mnemonic: &str) -> Option<Form> {
-    let found = FORMS.binary_search_by(|(name, _)| (*name).cmp(mnemonic)).ok()?;
-    FORMS.get(found).map(|(_, form)| *form)
+    if let Ok(found) = FORMS.binary_search_by(|(name, _)| (*name).cmp(mnemonic)) {
+        return FORMS.get(found).map(|(_, form)| *form);
+    }
+    SERVICES.iter().find(|service| service.name() == mnemonic).map(|service| Form::Service(*service))
 }
 
 #[cfg(test)]
@@ -164,7 +181,8 @@ mod tests {
         for (name, expected) in FORMS {
             assert_eq!(form(name), Some(*expected), "{name}");
         }
-        assert_eq!(form("STRCPY"), None);
+        assert_eq!(form("STRCPY"), Some(Form::Service(Service::StrCpy)));
+        assert_eq!(form("IDIV"), None);
         assert_eq!(form(""), None);
     }
 

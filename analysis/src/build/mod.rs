@@ -9,6 +9,7 @@
 //! the only step that sees the whole project. The same sources always give the same bytes.
 
 mod addresses;
+mod block_names;
 mod collect;
 pub mod debug_info;
 mod debug_regions;

@@ -1,9 +1,13 @@
 //! Operands of the meaning turned into operands of operations; addresses become slots.
 
-use technol_image::op::{BitRef, Place, Source, Width};
+use technol_image::op::{Addr, BitRef, Op, Place, Source, Width};
+use technol_image::service::Arg;
+use technol_image::system;
 
 use super::section_code::{SectionCode, Slot};
-use crate::semantics::hir::{Address, Operand, SymbolKey};
+use crate::catalogue;
+use crate::semantics::hir::{Address, BlockNumber, Operand, SymbolKey};
+use crate::semantics::layout::system_addr;
 
 impl SectionCode {
     fn slot(&mut self, slot: Slot) -> u32 {
@@ -49,6 +53,11 @@ impl SectionCode {
                 let addr = self.slot(Slot::Symbol { key: key.clone(), offset: 0 });
                 Some((BitRef { addr, bit: 0, indexed: false }, false))
             }
+            Operand::Block { number, member } => {
+                let Operand::Bit { address, bit, negated } = &**member else { return None };
+                let addr = self.slot(Slot::Fixed(in_block(*number, address)?));
+                Some((BitRef { addr, bit: *bit, indexed: false }, *negated))
+            }
             _ => None,
         }
     }
@@ -62,6 +71,11 @@ impl SectionCode {
     pub(super) fn cell(&mut self, operand: Option<&Operand>) -> Option<(Place, Width, bool)> {
         match operand? {
             Operand::Cell { address, width, negated } => Some((self.address(address), *width, *negated)),
+            Operand::Block { number, member } => {
+                let Operand::Cell { address, width, negated } = &**member else { return None };
+                let addr = self.slot(Slot::Fixed(in_block(*number, address)?));
+                Some((Place { addr, indexed: false }, *width, *negated))
+            }
             _ => None,
         }
     }
@@ -107,6 +121,58 @@ impl SectionCode {
             _ => None,
         }
     }
+
+    /// An operand of a service.
+    pub(super) fn arg(&mut self, operand: Option<&Operand>) -> Option<Arg> {
+        Some(match operand? {
+            Operand::Skipped => Arg::Missing,
+            Operand::Integer { value, .. } => Arg::Int(*value),
+            Operand::Real(value) => Arg::Real(*value),
+            Operand::Text(text) => Arg::Text(crate::semantics::collect::text_bytes(text)),
+            Operand::Keyword(word) => Arg::Keyword((*word).to_owned()),
+            Operand::Cell { address, width, negated } => {
+                Arg::Cell { place: self.address(address), width: *width, neg: *negated }
+            }
+            Operand::Bit { .. } | Operand::Mechanism(_) => {
+                let (bit, neg) = self.bit(operand)?;
+                Arg::Bit { bit, neg }
+            }
+            Operand::Area { address, len } => {
+                let behind = i64::from(*len) - address.offset;
+                Arg::Area { place: self.address(address), len: u32::try_from(behind).unwrap_or(0) }
+            }
+            Operand::Label(_) | Operand::Procedure(_) | Operand::Block { .. } => return None,
+        })
+    }
+}
+
+/// Offset of a member in the record of a block.
+fn offset_in_block(address: &Address) -> Option<u32> {
+    let start = system_addr(&catalogue::symbol(&address.symbol.name)?.kind)?;
+    u32::try_from(i64::from(start) + address.offset).ok()
+}
+
+/// Where a member of a prepared block is read. One whose number is in BX is brought there before.
+fn in_block(number: BlockNumber, address: &Address) -> Option<Addr> {
+    let offset = offset_in_block(address)?;
+    Some(match number {
+        BlockNumber::Indexed => system::BLOCK_WINDOW,
+        BlockNumber::Fixed(n) if n < system::BLOCK_RECORD_COUNT => {
+            system::BLOCK_RECORDS + n * system::block_record::LEN + offset
+        }
+        BlockNumber::Fixed(_) => system::NO_BLOCK,
+    })
+}
+
+/// The operation that brings a member of the block whose number is in BX; `None` for other operands.
+pub(super) fn block_selection(operand: &Operand) -> Option<Op> {
+    let Operand::Block { number: BlockNumber::Indexed, member } = operand else { return None };
+    let (address, len) = match &**member {
+        Operand::Bit { address, .. } => (address, 1),
+        Operand::Cell { address, width, .. } => (address, width.bytes()),
+        _ => return None,
+    };
+    Some(Op::SelectBlock { offset: offset_in_block(address)?.try_into().ok()?, len: len as u8 })
 }
 
 /// The width a keyword operand asks for; `default` without one.

@@ -2,6 +2,7 @@
 
 use technol_image::op::{Addr, BitRef, Op, Pc, Place, Source, Width};
 use technol_image::program::{Message, RegionKind, Timed};
+use technol_image::service::{Arg, ServiceCall};
 
 use super::addresses::Addresses;
 use super::section_code::{ClearRange, ProblemKind, SectionCode, Slot};
@@ -23,6 +24,8 @@ pub(super) struct Relocation<'a> {
     pub(super) timed: usize,
     /// Index of its first message.
     pub(super) messages: usize,
+    /// Index of its first call of a service.
+    pub(super) services: usize,
     /// Its sequence; 0 when it is none.
     pub(super) sequence: u16,
     /// File in execution order.
@@ -83,6 +86,7 @@ impl Relocation<'_> {
             }
             Op::Timed(index) => table_index(index, self.timed, "TEX and TIM instructions"),
             Op::Message { index, .. } => table_index(index, self.messages, "messages"),
+            Op::Service(index) => table_index(index, self.services, "instructions of the control"),
             Op::InitFinished(file) | Op::DoneFinished(file) => {
                 *file = self.file;
                 Ok(())
@@ -110,6 +114,19 @@ impl Relocation<'_> {
         let values = [&mut message.number, &mut message.sub_id].into_iter().chain(&mut message.parameters);
         for (source, width) in values.flatten() {
             self.source(source, *width)?;
+        }
+        Ok(())
+    }
+
+    /// Replaces the slots in the operands of a call.
+    pub(super) fn service(&self, call: &mut ServiceCall) -> Relocated {
+        for arg in &mut call.args {
+            match arg {
+                Arg::Cell { place, width, .. } => self.place(place, width.bytes())?,
+                Arg::Bit { bit, .. } => self.bit(bit)?,
+                Arg::Area { place, len } => self.place(place, *len)?,
+                Arg::Missing | Arg::Int(_) | Arg::Real(_) | Arg::Text(_) | Arg::Keyword(_) => {}
+            }
         }
         Ok(())
     }
@@ -151,6 +168,7 @@ impl Relocation<'_> {
         match self.code.slots.get(slot as usize) {
             Some(Slot::Counter(n)) => Ok((self.counters + n * 2, None)),
             Some(Slot::State(n)) => Ok((self.states + n, None)),
+            Some(Slot::Fixed(addr)) => Ok((*addr, None)),
             Some(Slot::Symbol { key, offset }) => {
                 let found = self.addresses.symbol(key);
                 let found = found.ok_or_else(|| ProblemKind::NoAddress(key.name.to_string()))?;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use technol_image::op::Op;
+use technol_image::op::{Addr, Op};
 use technol_image::program::{Message, Timed};
+use technol_image::service::ServiceCall;
 
 use crate::diagnostics::Rule;
 use crate::diagnostics::rules::{build, names, operands};
@@ -19,7 +20,7 @@ use crate::syntax::section::SectionKind;
 /// | data address | index into [`slots`](Self::slots) |
 /// | jump target | index into [`ops`](Self::ops) |
 /// | procedure, sequence of MECH_INIT | index into [`names`](Self::names) |
-/// | TEX, TIM and message parameters | index into [`timed`](Self::timed), [`messages`](Self::messages) |
+/// | TEX, TIM, message and call parameters | index into [`timed`](Self::timed), [`messages`](Self::messages), [`services`](Self::services) |
 /// | CLEAR | address: index into [`clears`](Self::clears) |
 /// | resume point, of its own sequence | final |
 /// | source line, file | 0, set by `link` |
@@ -41,6 +42,8 @@ pub struct SectionCode {
     pub timed: Vec<Timed>,
     /// Parameters of ESET, ESET1.
     pub messages: Vec<Message>,
+    /// Parameters of calls of services.
+    pub services: Vec<ServiceCall>,
     /// Ranges of CLEAR.
     pub clears: Vec<ClearRange>,
     /// EX-type instructions; number n is at `n - 1`.
@@ -80,6 +83,8 @@ pub enum Slot {
     Counter(u32),
     /// Hidden state byte number n of the section.
     State(u32),
+    /// An address of the system region: a member of a prepared block.
+    Fixed(Addr),
 }
 
 /// The place of a nested section.

@@ -1,9 +1,7 @@
 //! Chapter 14: messages of the PLC program.
 
 use super::entry::{Effect, Entry, Equation, OperandKind, OperandSpec, Place, Prefix, PrefixSet};
-use super::pattern::{
-    INSTRUCTION, MESSAGE, MESSAGE_VALUE, NAMED_BIT, UNMODELLED, example, form, operand, source, text,
-};
+use super::pattern::{INSTRUCTION, MESSAGE, MESSAGE_VALUE, NAMED_BIT, example, form, operand, source, text};
 
 const ERROR: OperandSpec = operand(
     "error",
@@ -264,6 +262,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             ),
         ],
         related: &["ESET", "ESET1", "MAP_IN", "EDGE_H"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

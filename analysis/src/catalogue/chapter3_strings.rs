@@ -66,7 +66,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         ],
         place: Place::AnyModule,
         writes: &[Effect::Memory],
-        executable: false,
         summary: text("Declares a text of at most n characters.", "Deklaruje text o nejvýše n znacích."),
         description: text(
             "Reserves `n` bytes and one more for the terminating zero; the label is known in all files. \
@@ -101,7 +100,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[TARGET, SOURCE_OR_LITERAL, NUM],
         reads: &[Effect::Memory],
         writes: &[Effect::Memory],
-        executable: false,
         summary: text("Copies a text; the destination comes first.", "Zkopíruje text; cíl se píše první."),
         description: text(
             "Without `num` it copies up to and including the terminating zero, but never past the size \
@@ -137,7 +135,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         ],
         reads: &[Effect::Memory],
         writes: &[Effect::Memory],
-        executable: false,
         summary: text("Appends a text to another.", "Připojí text na konec jiného textu."),
         description: text(
             "Appends at the place of the terminating zero of `text1` and cuts what does not fit its size \
@@ -160,7 +157,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[TARGET, WIDTH],
         reads: &[Effect::Dr],
         writes: &[Effect::Memory],
-        executable: false,
         summary: text(
             "Writes the binary number in DR as decimal digits.",
             "Zapíše binární číslo z DR jako desítkové číslice.",
@@ -188,7 +184,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[TARGET, WIDTH],
         reads: &[Effect::Dr],
         writes: &[Effect::Memory],
-        executable: false,
         summary: text("Writes the BCD number in DR as digits.", "Zapíše BCD číslo z DR jako číslice."),
         description: text(
             "As BINSTR, but DR holds BCD digits. RLO and DR stay.",
@@ -214,7 +209,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
-        executable: false,
         summary: text("Sets RLO when two texts are equal.", "Nastaví RLO, když jsou dva texty shodné."),
         description: text(
             "With `num` it compares at most `num` characters and ends sooner at a difference or at a \
@@ -241,7 +235,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         operands: &[TARGET, SOURCE, NUM],
         reads: &[Effect::Memory],
         writes: &[Effect::Memory],
-        executable: false,
         summary: text(
             "Copies binary data; a zero byte does not end the copy.",
             "Zkopíruje binární data; nulový bajt kopírování neukončí.",
@@ -268,7 +261,6 @@ pub(super) static ENTRIES: &[Entry] = &[
         equation: Equation::Overwrite,
         reads: &[Effect::Memory],
         writes: &[Effect::Rlo],
-        executable: false,
         summary: text(
             "Sets RLO when two blocks of binary data are equal.",
             "Nastaví RLO, když jsou dva bloky binárních dat shodné.",

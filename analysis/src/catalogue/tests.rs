@@ -202,23 +202,6 @@ fn examples_use_the_entry_they_stand_at_and_only_known_mnemonics() {
 }
 
 #[test]
-fn what_build_lowers_is_what_the_chapters_promise() {
-    for entry in entries() {
-        let chapter = entry.chapter;
-        let lowered = match entry.name {
-            "CLI" | "STI" | "NOP" | "MOV" | "DEBUG" | "ON" | "OFF" | "ESET" | "ESET1" => true,
-            _ if chapter.starts_with("22.") || entry.name.starts_with("MODULE_") => true,
-            _ => {
-                chapter != "3.1"
-                    && chapter != "3.18"
-                    && matches!(chapter.split('.').next(), Some("3" | "4" | "5"))
-            }
-        };
-        assert_eq!(entry.executable, lowered, "{} of {chapter}", entry.name);
-    }
-}
-
-#[test]
 fn terminal_instructions_are_those_of_the_ruling() {
     let expected: HashSet<&str> = [
         "WR", "JL0", "JL1", "STO0", "STO1", "FL1", "MOVR1", "MOVE1", "ESET1", "CONRD", "EX", "EX0", "EX1",
@@ -427,4 +410,39 @@ fn symbol_names_are_unique_upper_case_and_not_instructions() {
 fn backed_up_memory_has_10000_bytes() {
     let kind = symbol("PLC_MEM_BACKUP").map(|symbol| symbol.kind);
     assert!(matches!(kind, Some(SystemKind::Area { len: 10_000, .. })), "{kind:?}");
+}
+
+#[test]
+fn axes_and_spindles_find_their_cells_where_the_catalogue_puts_them() {
+    use technol_image::op::BitRef;
+    use technol_image::system::motion;
+    let kind = |name: &str| symbol(name).unwrap_or_else(|| panic!("{name}")).kind;
+    for &(name, addr) in motion::CELLS {
+        assert_eq!(kind(name).bytes().map(|(addr, _)| addr), Some(addr), "{name}");
+    }
+    let at = |place: BitRef| SystemKind::Bit { addr: place.addr, bit: place.bit };
+    for &(name, place) in motion::BITS {
+        assert_eq!(kind(name), at(place), "{name}");
+    }
+    for &(name, family) in motion::FAMILIES {
+        assert_eq!(kind(name), at(family.of(0)), "{name}");
+    }
+    for &(name, family) in motion::SIX_FAMILIES {
+        assert_eq!(kind(name), at(family.of(0)), "{name}");
+    }
+    assert_eq!(kind("EXM_60"), at(motion::EXTERNAL_PLUS.of(5)));
+    // The other axes follow the first in every family.
+    for (axis, name) in
+        [(1, "MPYPI"), (5, "MP6PI"), (6, "MP7PI"), (13, "MP14PI"), (14, "MP15PI"), (15, "MP16PI")]
+    {
+        assert_eq!(kind(name), at(motion::ENABLE.of(axis)), "{name}");
+    }
+    let loops = kind("REF_SERV_16");
+    let first = motion::SERVO_SWITCH;
+    let last = u32::from(first.bit) + 15;
+    assert_eq!(loops, SystemKind::Bit { addr: first.addr + last / 8, bit: (last % 8) as u8 });
+    for space in 1..=4 {
+        let name = format!("POSITION_POS{}_EX", space + 1);
+        assert_eq!(kind(&name).bytes(), Some((motion::POSITION_POS1 + space * 128, 128)), "{name}");
+    }
 }

@@ -16,6 +16,9 @@ use crate::semantics::scope::Clash;
 use crate::semantics::structure;
 use crate::syntax::ast::Columns;
 
+/// So many other declarations are shown with one: a macro that declares a name may be called a thousand times.
+const OTHER_PLACES: usize = 5;
+
 /// All mistakes of a file, sorted.
 pub(crate) fn collect(db: &dyn Db, project: Project, file: SourceFile) -> Vec<Diagnostic> {
     let mut found: Vec<(Section<'_>, Finding)> = Vec::new();
@@ -182,7 +185,7 @@ fn clashes<'db>(
         }
         for (index, site) in places.iter().enumerate().filter(|(_, site)| site.section.file(db) == file) {
             let Some((name, line, columns)) = declared_at(db, project, *site) else { continue };
-            let others = places.iter().enumerate().filter(|(other, _)| *other != index);
+            let others = places.iter().enumerate().filter(|(other, _)| *other != index).take(OTHER_PLACES);
             let (rule, message) = match clash {
                 Clash::Twice if key.scope == SymbolScope::Macro => {
                     (&macros::MACRO_REDEFINED, format!("the macro {name} is defined more than once"))

@@ -7,12 +7,14 @@
 //! | `TYPE.name`, `TYPE.(name+n)` | memory at another type: BYTE, WORD, HIGH, DWRD, QWRD, REAL |
 //! | `name+n`, `(name+n)` | the cell n bytes further |
 //! | `adr.bit`, `(adr+n).bit`, `$+n.bit` | a bit position in another byte; `bit` is a bit's name or 0 to 7 |
+//! | `BLK[n].member`, `BLK[n].TYPE.member[k]` | a member of a prepared block |
 //! | `CNST.5`, `0F8h`, `'A'` | a constant |
 //! | `file.plc:…` | names as that file sees them |
 //!
 //! Names are found as the language finds them (case does not matter, 31 characters count): local names of the file at
 //! hand, then global and predefined ones; then a local name of another file, when only one file has it.
 
+mod block;
 mod names;
 mod parse;
 mod value;
@@ -156,6 +158,9 @@ pub fn resolve(debug: &DebugInfo, file: Option<u8>, text: &str) -> Result<Target
         Some((name, rest)) if !name.contains('\'') => (rest, Some(names::file_order(debug, name.trim())?)),
         _ => (text, file),
     };
+    if let Some(member) = block::resolve(text) {
+        return member;
+    }
     let names = Names { debug, file };
     match Parser::parse(text)? {
         Expression::Constant(value) => Ok(Target::Constant(value)),

@@ -212,7 +212,8 @@ impl Parser {
     }
 }
 
-fn prefix(name: &str) -> Option<Prefix> {
+/// The type prefix of that name.
+pub(super) fn prefix(name: &str) -> Option<Prefix> {
     let (width, offset) = match name.to_ascii_uppercase().as_str() {
         "BYTE" => (Width::Byte, 0),
         "HIGH" => (Width::Byte, 1),

@@ -61,6 +61,11 @@ pub(crate) fn exports(declarations: &Declarations) -> Exports {
     exports
 }
 
+/// A text as the control has it: texts of a PLC live in single bytes, which it shows in Windows-1250.
+pub(crate) fn text_bytes(text: &str) -> Vec<u8> {
+    encoding_rs::WINDOWS_1250.encode(text).0.into_owned()
+}
+
 /// The file name of a T_INCLUDE line; `None` for other lines and when the name is missing.
 pub(crate) fn include_of(line: &Line, text: &str) -> Option<(Columns, String, bool)> {
     let operation = line.operation.as_ref().filter(|name| name.text.eq_ignore_ascii_case("T_INCLUDE"))?;
@@ -316,8 +321,7 @@ impl Reader {
                 let message = format!("the text has {count} characters, the buffer {len}");
                 self.report(&rules::TEXT_TOO_LONG, number, content.columns.clone(), message);
             }
-            // Texts of a PLC live in single bytes; the control shows them in Windows-1250.
-            let bytes = encoding_rs::WINDOWS_1250.encode(text).0.into_owned();
+            let bytes = text_bytes(text);
             return (Some(bytes), None, false);
         }
         match overlay(content) {

@@ -99,7 +99,7 @@ impl<'a> Search<'a> {
         if self.letters.at_least(letters) > bound {
             return;
         }
-        let distance = distance(&self.word, candidate.to_ascii_uppercase().as_bytes());
+        let Some(distance) = distance(&self.word, candidate.as_bytes(), bound) else { return };
         // Of two that are equally near the one with the same first letter, then the first in the alphabet.
         let rank = |distance: usize, name: &'a str| {
             let first = name.bytes().next().map(|byte| byte.to_ascii_uppercase());
@@ -112,22 +112,42 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Number of inserted, deleted, replaced or swapped neighbouring characters.
-fn distance(a: &[u8], b: &[u8]) -> usize {
-    let mut before: Vec<usize> = Vec::new();
-    let mut last: Vec<usize> = (0..=b.len()).collect();
+/// Longest word that is compared: names are significant to half of it.
+const LONGEST: usize = 63;
+
+/// Number of inserted, deleted, replaced or swapped neighbouring characters; `None` when it is above `bound`. `b` is
+/// compared in upper case.
+fn distance(a: &[u8], b: &[u8], bound: usize) -> Option<usize> {
+    if a.len().max(b.len()) > LONGEST {
+        return None;
+    }
+    // Three rows of the usual table. No number is above LONGEST, so bytes hold them.
+    let mut before = [0_u8; LONGEST + 1];
+    let mut last = [0_u8; LONGEST + 1];
+    for (cell, count) in last.iter_mut().zip(0..=b.len() as u8) {
+        *cell = count;
+    }
     for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
+        let mut row = [0_u8; LONGEST + 1];
+        row[0] = i as u8;
+        let mut least = row[0];
         for j in 1..=b.len() {
-            let replaced = last[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let other = b[j - 1].to_ascii_uppercase();
+            let replaced = last[j - 1] + u8::from(a[i - 1] != other);
             row[j] = replaced.min(last[j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2].to_ascii_uppercase() && a[i - 2] == other {
                 row[j] = row[j].min(before[j - 2] + 1);
             }
+            least = least.min(row[j]);
+        }
+        // A swap looks two rows back, but then the row between them is at most one above.
+        if usize::from(least) > bound + 1 {
+            return None;
         }
         before = std::mem::replace(&mut last, row);
     }
-    last[b.len()]
+    let found = usize::from(last[b.len()]);
+    (found <= bound).then_some(found)
 }
 
 #[cfg(test)]
@@ -153,7 +173,12 @@ mod tests {
         for a in words {
             for b in words {
                 let least = Letters::of(a).at_least(Letters::of(b));
-                assert!(least <= distance(a.as_bytes(), b.as_bytes()), "{a} {b}");
+                let exact = distance(a.as_bytes(), b.as_bytes(), LONGEST).expect("short words");
+                assert!(least <= exact, "{a} {b}");
+                for bound in 0..=LONGEST {
+                    let found = distance(a.as_bytes(), b.as_bytes(), bound);
+                    assert_eq!(found, (exact <= bound).then_some(exact), "{a} {b} {bound}");
+                }
             }
         }
     }

@@ -17,8 +17,8 @@ fn errors_of_the_check_come_first() {
 
 #[test]
 fn an_instruction_the_target_cannot_run_is_named_at_its_place() {
-    let text = refusal("TX: STR 5\n", "NOP\n   STRCPY TX,'A' ;copy\n");
-    assert_eq!(text, "main.plc:6:4 T0801 not executable on this target yet: STRCPY");
+    let text = refusal("W: DS 2\n", "NOP\n   IDIV BX ;divide\n");
+    assert_eq!(text, "main.plc:6:4 T0801 not executable on this target yet: IDIV");
 }
 
 #[test]

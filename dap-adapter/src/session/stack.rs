@@ -305,6 +305,7 @@ pub(super) fn fault_name(kind: FaultKind) -> &'static str {
         FaultKind::CallDepth => "procedures are nested too deeply",
         FaultKind::UnexpectedReturn => "end of a procedure that was not called",
         FaultKind::UnexpectedEnd => "end of a module inside a procedure",
+        FaultKind::NoService => "the control of the target does not carry out this instruction",
         FaultKind::BadContinuation => "the continuation of a mechanism was overwritten",
     }
 }

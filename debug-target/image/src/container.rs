@@ -22,7 +22,7 @@ use crate::program::{ContentHash, Program};
 /// First bytes of an image file.
 pub const MAGIC: [u8; 4] = *b"TPLC";
 /// Version of the format, of the operations and of the system layout.
-pub const FORMAT_VERSION: u16 = 1;
+pub const FORMAT_VERSION: u16 = 2;
 
 const CRC32C: Crc<u32> = Crc::<u32>::new(&CRC_32_ISCSI);
 const HEADER: usize = 14;

@@ -12,9 +12,11 @@ pub mod container;
 pub mod debug_info;
 pub mod op;
 pub mod program;
+pub mod service;
 pub mod system;
 
 pub use container::{DecodeError, Image, decode, encode};
 pub use debug_info::DebugInfo;
 pub use op::{BitRef, Cond, Op, Place, Source, Width};
 pub use program::{ContentHash, Program};
+pub use service::{Arg, Service, ServiceCall};

@@ -409,6 +409,8 @@ pub enum Op {
         /// When.
         cond: Cond,
     },
+    /// An instruction of [`Service`](crate::Service): index into [`Program::services`](crate::Program::services).
+    Service(u16),
     /// BX := DR (low 16 bits, zero-extended): `MOV BX,CX`.
     IndexFromDr,
     /// MODULE_INIT_FINISHED in file n (0-based).
@@ -417,4 +419,12 @@ pub enum Op {
     DoneFinished(u8),
     /// End of a module's code in one file.
     ModuleEnd,
+    /// Copies `len` bytes at `offset` of the record of the prepared block whose number is in BX to
+    /// [`BLOCK_WINDOW`](crate::system::BLOCK_WINDOW); zeros when there is no such block.
+    SelectBlock {
+        /// Offset in the record.
+        offset: u16,
+        /// 1 to 8 bytes.
+        len: u8,
+    },
 }

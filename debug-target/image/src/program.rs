@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 use crate::op::{Addr, Op, Pc, Place, Source, Width};
+use crate::service::ServiceCall;
 
 /// First 16 bytes of the SHA-256 of an encoded [`Program`].
 pub type ContentHash = [u8; 16];
@@ -237,6 +238,8 @@ pub struct Program {
     pub timed: Vec<Timed>,
     /// Parameters of ESET, ESET1.
     pub messages: Vec<Message>,
+    /// Calls of [`Op::Service`].
+    pub services: Vec<ServiceCall>,
     /// Procedures.
     pub procedures: Vec<Procedure>,
     /// Initial memory.

@@ -6,6 +6,8 @@
 
 use crate::op::{Addr, BitRef};
 
+pub mod motion;
+
 /// P1IN … P128IN: input ports.
 pub const IN_PORTS: Addr = 0x0000;
 /// Number of input ports.
@@ -112,6 +114,73 @@ pub const PB00: Addr = BLOCK + 0x10;
 pub const STATUS_RESTART: Addr = BLOCK + 0x30;
 /// CNT_NEXT_BLOCKS: WORD, number of prepared blocks.
 pub const CNT_NEXT_BLOCKS: Addr = BLOCK + 0x32;
+
+/// Records of the prepared blocks, `BLK[n]`: number 0 is the block in progress, the others are the waiting ones
+/// (manual 8.3). A record past the last waiting block is zero.
+pub const BLOCK_RECORDS: Addr = 0x6000;
+/// Records: the block in progress and those that can wait.
+pub const BLOCK_RECORD_COUNT: u32 = 17;
+/// Member of the block that BX names, copied here by [`Op::SelectBlock`](crate::Op::SelectBlock) for the
+/// operation after it.
+pub const BLOCK_WINDOW: Addr = BLOCK_RECORDS + BLOCK_RECORD_COUNT * block_record::LEN;
+/// Eight bytes that stay zero: the members of a block that there can never be.
+pub const NO_BLOCK: Addr = BLOCK_WINDOW + 8;
+/// First byte behind everything that the supervisor reads or writes.
+pub const SUPERVISOR_END: Addr = NO_BLOCK + 8;
+
+/// Offsets in the record of a prepared block.
+pub mod block_record {
+    /// Length in bytes.
+    pub const LEN: u32 = 368;
+    /// M0 … M14: change bits of the M groups, two bytes.
+    pub const M_CHANGED: u32 = 0;
+    /// AxNC0Move … AxNC15Move: two bytes.
+    pub const AXES_MOVE: u32 = 2;
+    /// IPlc0 … IPlc4.
+    pub const INTEGERS_CHANGED: u32 = 4;
+    /// RPlc0 … RPlc4; the bits from [`FIRST_FLAG`] on are the flags, in two more bytes.
+    pub const REALS_CHANGED: u32 = 5;
+    /// Bit of `FirstBlock` in the byte at [`REALS_CHANGED`]. LastBlock, Stop, CondStop, Backward, SelBlock, Cont,
+    /// TchlOff, Partial, HProg, TProg, RevFeed, ContinuousMode and ConstCutSpeed follow.
+    pub const FIRST_FLAG: u32 = 5;
+    /// Length of all bits.
+    pub const BITS_LEN: u32 = 8;
+    /// M\[0\] … \[14\]: DWORD, BCD.
+    pub const M: u32 = 8;
+    /// IPlcParams\[0\] … \[4\]: DWORD.
+    pub const INTEGERS: u32 = 68;
+    /// AxG\[0\] … \[2\]: DWORD.
+    pub const GEOMETRIC_AXES: u32 = 88;
+    /// T: DWORD.
+    pub const T: u32 = 100;
+    /// H: REAL.
+    pub const H: u32 = 104;
+    /// RPlcParams\[0\] … \[4\]: REAL.
+    pub const REALS: u32 = 112;
+    /// Delay: REAL.
+    pub const DELAY: u32 = 152;
+    /// AxNC\[0\] … \[15\]: REAL.
+    pub const AXES: u32 = 160;
+    /// BlockLen: REAL. Scale, FeedProgr, FeedMax, FeedCriterial, ParabAccel, LinearAccel, SpindleSpeed,
+    /// SpindleSpeedLimit and ConstCuttingSpeed follow.
+    pub const BLOCK_LEN: u32 = 288;
+}
+
+/// Group of the M functions that have a fixed one (manual 8.2.1).
+#[must_use]
+pub const fn m_group(m: u8) -> Option<u8> {
+    Some(match m {
+        0 | 1 | 2 | 30 => 1,
+        3 | 4 | 5 | 19 => 2,
+        40..=44 => 3,
+        7 | 8 | 9 | 17 => 5,
+        50..=53 => 6,
+        10 | 11 => 7,
+        48 | 49 => 8,
+        6 | 60 => 9,
+        _ => return None,
+    })
+}
 
 /// Event codes of `_ON_EVENT` (DR on entry).
 pub mod event {

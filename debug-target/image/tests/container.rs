@@ -35,6 +35,7 @@ fn program() -> Program {
             line: 12,
         }],
         messages: vec![],
+        services: Vec::new(),
         procedures: vec![],
         initial: vec![],
         init_finished: vec![0, 5],

@@ -23,8 +23,59 @@ pub enum BlockMode {
     Other,
 }
 
+/// A property of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlockFlag {
+    /// It runs backwards.
+    Backward,
+    /// The operator selected it.
+    Selected,
+    /// It approaches from a place off the path.
+    Approach,
+    /// It runs without technology.
+    WithoutTechnology,
+    /// Feed per revolution, G95.
+    RevFeed,
+    /// Continuous run, G23.
+    Continuous,
+    /// Constant cutting speed, G96.
+    ConstCutSpeed,
+    /// Thread cutting, G33.
+    Thread,
+}
+
+/// What a block tells beyond its functions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BlockExtra {
+    /// The first of its program.
+    pub first: bool,
+    /// The last of its program.
+    pub last: bool,
+    /// Properties.
+    pub flags: Vec<BlockFlag>,
+    /// Spindle speed in rev/min.
+    pub speed: Option<f64>,
+    /// Feed in mm/min.
+    pub feed: Option<f64>,
+    /// Largest feed in mm/min.
+    pub feed_max: Option<f64>,
+    /// Length of the path in mm.
+    pub length: Option<f64>,
+    /// Dwell.
+    pub dwell: Option<f64>,
+    /// Scale.
+    pub scale: Option<f64>,
+    /// Integer parameters for the PLC.
+    pub integers: Vec<i32>,
+    /// Real parameters for the PLC.
+    pub reals: Vec<f64>,
+    /// NC axes and their targets in mm.
+    pub axes: Vec<(u8, f64)>,
+}
+
 /// A block to be started; values are within the ranges of [`config::Block`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BlockStart {
     /// M functions.
     pub m: Vec<u8>,
@@ -40,6 +91,8 @@ pub struct BlockStart {
     pub rapid: bool,
     /// Mode.
     pub mode: BlockMode,
+    /// The rest.
+    pub extra: BlockExtra,
 }
 
 /// What starts a block.
@@ -88,6 +141,14 @@ impl Program {
                 (None, None) => {} // the block before it is wrong, which is reported
             }
         }
+        for program in &mut programs {
+            if let Some(first) = program.blocks.first_mut() {
+                first.extra.first = true;
+            }
+            if let Some(last) = program.blocks.last_mut() {
+                last.extra.last = true;
+            }
+        }
         programs
     }
 
@@ -130,6 +191,14 @@ fn check_ranges(block: &config::Block, compiler: &mut Compiler<'_>) {
     if block.s.is_some_and(|s| s > 0x7FFF) {
         compiler.error("s", "must be 0 to 32767");
     }
+    for (key, len) in [("integers", block.integers.len()), ("reals", block.reals.len())] {
+        if len > 5 {
+            compiler.error(key, "a block has five parameters of each kind");
+        }
+    }
+    if block.axes.iter().any(|(axis, _)| *axis > 15) {
+        compiler.error("axes", "NC axes go from 0 to 15");
+    }
 }
 
 fn start(block: &config::Block) -> BlockStart {
@@ -141,5 +210,19 @@ fn start(block: &config::Block) -> BlockStart {
         motion_ms: block.motion_ms,
         rapid: block.rapid,
         mode: block.mode,
+        extra: BlockExtra {
+            first: false,
+            last: false,
+            flags: block.flags.clone(),
+            speed: block.speed,
+            feed: block.feed,
+            feed_max: block.feed_max,
+            length: block.length_mm,
+            dwell: block.dwell,
+            scale: block.scale,
+            integers: block.integers.clone(),
+            reals: block.reals.clone(),
+            axes: block.axes.clone(),
+        },
     }
 }

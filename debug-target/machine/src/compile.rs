@@ -6,7 +6,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::drive::{Drive, Outputs};
+use crate::drive::{Drive, Outputs, Signals, Watch};
 use crate::signal::{InputBit, OutputBit, Signal};
 
 /// Something in the description of a machine that does not work.
@@ -155,6 +155,30 @@ impl<'a> Compiler<'a> {
                 None
             }
         }
+    }
+
+    /// Any signals, of which one is enough.
+    pub(crate) fn watch(&mut self, key: &'static str, names: &Signals) -> Watch {
+        if names.0.is_empty() {
+            self.error(key, "names no signal");
+        }
+        Watch(names.0.iter().filter_map(|name| self.signal(key, name)).collect())
+    }
+
+    /// Whole input ports that this element drives, at most `most`, which hold numbers up to `highest`.
+    pub(crate) fn driven_ports(
+        &mut self,
+        key: &'static str,
+        names: &[String],
+        most: usize,
+        highest: u64,
+    ) -> Vec<u8> {
+        if names.len() > most {
+            self.error(key, format!("has more than {most} ports"));
+        } else if !names.is_empty() && highest >> (8 * names.len() as u32) != 0 {
+            self.error(key, format!("has too few ports for {highest}"));
+        }
+        names.iter().filter_map(|name| self.driven_port(key, name)).collect()
     }
 
     /// A time that must not be zero.

@@ -6,11 +6,13 @@ use alloc::vec::Vec;
 
 use serde::Deserialize;
 
-use crate::block::BlockMode;
-use crate::drive::Outputs;
+use crate::block::{BlockFlag, BlockMode};
+use crate::drive::{Outputs, Signals};
+use crate::motion::config::{Axis, Spindle};
+use crate::number::Thousandths;
 
 /// A machine.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct MachineConfig {
     /// `[machine]`.
@@ -25,6 +27,24 @@ pub struct MachineConfig {
     pub encoder: Vec<Encoder>,
     /// `[[turret]]`.
     pub turret: Vec<Turret>,
+    /// `[[axis]]`.
+    pub axis: Vec<Axis>,
+    /// `[[spindle]]`.
+    pub spindle: Vec<Spindle>,
+    /// `[[latch]]`.
+    pub latch: Vec<Latch>,
+    /// `[[counter]]`.
+    pub counter: Vec<Counter>,
+    /// `[[ramp]]`.
+    pub ramp: Vec<Ramp>,
+    /// `[[slide]]`.
+    pub slide: Vec<Slide>,
+    /// `[control]`.
+    pub control: Control,
+    /// `[[m-function]]`.
+    pub m_function: Vec<MFunction>,
+    /// `[[gear]]`.
+    pub gear: Vec<Gear>,
     /// `[[key]]`.
     pub key: Vec<Key>,
     /// `[[fault]]`.
@@ -161,6 +181,179 @@ fn first_station() -> u8 {
     1
 }
 
+/// A relay that holds itself: set and reset.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Latch {
+    /// For people, and for faults.
+    #[serde(default)]
+    pub name: String,
+    /// Sets it.
+    pub set: Signals,
+    /// Resets it, even while it is being set.
+    pub reset: Signals,
+    /// On while it is set.
+    pub input: String,
+    /// The input is off while it is set.
+    #[serde(default)]
+    pub invert: bool,
+    /// Set at first.
+    #[serde(default)]
+    pub initially: bool,
+}
+
+/// Counts pulses: parts, strokes, turns.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Counter {
+    /// For people, and for faults.
+    #[serde(default)]
+    pub name: String,
+    /// Each time one of these goes on.
+    pub pulses: Signals,
+    /// So many.
+    pub count: u32,
+    /// On once they have come.
+    pub input: Option<String>,
+    /// Begins anew while on. Without it the pulse after the last one begins anew.
+    pub reset: Option<Signals>,
+    /// Input ports that hold the count in binary, lowest byte first.
+    #[serde(default)]
+    pub value: Vec<String>,
+}
+
+/// An analog value: temperature, pressure, level, speed.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Ramp {
+    /// For people, and for faults.
+    #[serde(default)]
+    pub name: String,
+    /// Towards `high` while on, towards `low` while off…
+    pub output: Option<Outputs>,
+    /// …or towards the number in these output ports, lowest byte first.
+    #[serde(default)]
+    pub source: Vec<String>,
+    /// Smallest value.
+    #[serde(default)]
+    pub low: u32,
+    /// Largest value.
+    pub high: u32,
+    /// Units a second upwards.
+    pub rise_per_s: Thousandths,
+    /// Units a second downwards, if that is another speed.
+    pub fall_per_s: Option<Thousandths>,
+    /// At first; `low` unless given.
+    pub initially: Option<u32>,
+    /// Input ports that hold the value in binary, lowest byte first.
+    #[serde(default)]
+    pub value: Vec<String>,
+    /// Switches.
+    #[serde(default)]
+    pub thresholds: Vec<Threshold>,
+}
+
+/// A switch of a [`Ramp`].
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Threshold {
+    /// On from this value on.
+    pub at: u32,
+    /// Off again so far below it.
+    #[serde(default)]
+    pub hysteresis: u32,
+    /// The switch.
+    pub input: String,
+    /// Off instead of on.
+    #[serde(default)]
+    pub invert: bool,
+}
+
+/// A driven axis without a position loop: loaders, quills, tailstocks, transfer slides.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Slide {
+    /// For people, and for faults.
+    #[serde(default)]
+    pub name: String,
+    /// Away from 0.
+    pub forward: Outputs,
+    /// Towards 0.
+    pub backward: Outputs,
+    /// At `rapid-mm-s` while on.
+    pub rapid: Option<Outputs>,
+    /// Speed.
+    pub speed_mm_s: Thousandths,
+    /// Speed in rapid.
+    pub rapid_mm_s: Option<Thousandths>,
+    /// Length of the way.
+    pub stroke_mm: Thousandths,
+    /// Where it is at first.
+    #[serde(default)]
+    pub initially_mm: Thousandths,
+    /// Switches along the way.
+    #[serde(default)]
+    pub switches: Vec<Switch>,
+    /// Input ports that hold the position in hundredths of a millimetre, lowest byte first.
+    #[serde(default)]
+    pub position: Vec<String>,
+}
+
+/// A switch of a [`Slide`]: on from `at` to `at + width`.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Switch {
+    /// First position in mm.
+    pub at: Thousandths,
+    /// Length of its cam in mm.
+    #[serde(default)]
+    pub width: Thousandths,
+    /// The switch.
+    pub input: String,
+    /// Off there instead of on.
+    #[serde(default)]
+    pub invert: bool,
+}
+
+/// Keys and settings of the control.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Control {
+    /// START after a stop: the block or program goes on each time one of these goes on.
+    pub start: Option<Signals>,
+    /// STOP.
+    pub stop: Option<Signals>,
+    /// Emergency stop.
+    pub emergency_stop: Option<Signals>,
+    /// M01 stops.
+    pub conditional_stop: bool,
+}
+
+/// An M function with a group of its own.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct MFunction {
+    /// Which, 0..=99.
+    pub number: u8,
+    /// Its group, 1..=14.
+    pub group: u8,
+}
+
+/// A gear of the spindle, in the order of M41 to M44.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Gear {
+    /// Largest speed in rev/min.
+    pub max_speed: u32,
+    /// Spindle value at that speed, 0..=32767.
+    #[serde(default = "full_output")]
+    pub max_output: u16,
+}
+
+fn full_output() -> u16 {
+    0x7FFF
+}
+
 /// A key of the operator panel, pressed by name.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -168,33 +361,43 @@ pub struct Key {
     /// How it is called to be pressed.
     pub name: String,
     /// On while it is pressed.
-    pub input: String,
+    pub input: Option<String>,
+    /// PLC command that the control tells `_ON_CMD` when it is pressed and released.
+    pub command: Option<i32>,
     /// Off while it is pressed (a normally closed stop button).
     #[serde(default)]
     pub invert: bool,
 }
 
-/// Something that breaks, switched by name: a stuck input or a broken output.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+/// Something that breaks, switched by name: an input, an output or an element.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Fault {
     /// How it is called to be switched.
     pub name: String,
-    /// The input that is stuck…
+    /// The input that is `stuck` or `broken`…
     pub input: Option<String>,
-    /// …at this value.
-    pub stuck: Option<bool>,
-    /// The output that no longer reaches the machine…
+    /// …or the output that is `broken` or `shorted`…
     pub output: Option<String>,
-    /// …which is said by `broken = true`.
+    /// …or the element, by its name, that is `stuck`, `jammed` or `slow`.
+    pub element: Option<String>,
+    /// It stays at this value.
+    pub stuck: Option<bool>,
+    /// The wire is broken: an input is off, an output does not reach the machine.
     pub broken: Option<bool>,
+    /// The output has a short circuit.
+    pub shorted: Option<bool>,
+    /// The element does not move.
+    pub jammed: Option<bool>,
+    /// Everything the element does takes so many times as long.
+    pub slow: Option<u32>,
     /// Present from the start.
     #[serde(default)]
     pub active: bool,
 }
 
 /// A part-program block that the control starts. Without `at-cycle` and `on` it follows the block before it.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Block {
     /// For people.
@@ -217,4 +420,24 @@ pub struct Block {
     pub rapid: bool,
     /// Mode of the start.
     pub mode: BlockMode,
+    /// Spindle speed in rev/min.
+    pub speed: Option<f64>,
+    /// Feed in mm/min.
+    pub feed: Option<f64>,
+    /// Largest feed in mm/min.
+    pub feed_max: Option<f64>,
+    /// Length of the path in mm.
+    pub length_mm: Option<f64>,
+    /// Dwell.
+    pub dwell: Option<f64>,
+    /// Scale.
+    pub scale: Option<f64>,
+    /// Integer parameters for the PLC, at most five.
+    pub integers: Vec<i32>,
+    /// Real parameters for the PLC, at most five.
+    pub reals: Vec<f64>,
+    /// Targets in mm: NC axis, 0..=15, and position.
+    pub axes: Vec<(u8, f64)>,
+    /// Properties.
+    pub flags: Vec<BlockFlag>,
 }

@@ -2,8 +2,8 @@
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::drive::Drive;
-use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS};
+use crate::drive::{Drive, World};
+use crate::signal::{INPUT_PORTS, InputBit};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
@@ -37,16 +37,27 @@ impl Contact {
         self.differs = 0;
     }
 
-    pub(crate) fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
-        let driven = self.output.is_on(outputs);
+    /// Holds it closed or open, whatever drives it.
+    pub(crate) fn hold(&mut self, closed: bool) {
+        self.closed = closed;
+        self.differs = 0;
+    }
+
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+        let driven = self.output.is_on(world.outputs);
         if driven == self.closed {
             self.differs = 0;
-        } else if self.differs >= if driven { self.on_delay } else { self.off_delay } {
-            self.closed = driven;
-            self.differs = 0;
-        } else {
-            self.differs += 1;
+        } else if moves {
+            if self.differs >= if driven { self.on_delay } else { self.off_delay } {
+                self.hold(driven);
+            } else {
+                self.differs += 1;
+            }
         }
+        self.show(inputs);
+    }
+
+    pub(crate) fn show(&self, inputs: &mut [u8; INPUT_PORTS]) {
         self.input.set(inputs, self.closed != self.invert);
     }
 }

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::drive::Drive;
-use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS};
+use crate::drive::{Drive, World};
+use crate::signal::{INPUT_PORTS, InputBit};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Encoder {
@@ -42,10 +42,10 @@ impl Encoder {
         self.count = 0;
     }
 
-    pub(crate) fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
-        if self.output.is_on(outputs) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+        if moves && self.output.is_on(world.outputs) {
             if self.phase == 0 {
-                let down = self.direction.as_ref().is_some_and(|bit| bit.is_on(outputs));
+                let down = self.direction.as_ref().is_some_and(|bit| bit.is_on(world.outputs));
                 self.count = if down { self.count.wrapping_sub(1) } else { self.count.wrapping_add(1) };
             }
             if let Some(bit) = self.input {

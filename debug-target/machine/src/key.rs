@@ -9,18 +9,33 @@ use crate::signal::{INPUT_PORTS, InputBit};
 #[derive(Clone, Debug)]
 pub(crate) struct Key {
     pub(crate) name: String,
-    input: InputBit,
+    input: Option<InputBit>,
     invert: bool,
+    command: Option<i32>,
     pub(crate) pressed: bool,
+    /// As the control saw it last.
+    seen: bool,
 }
 
 impl Key {
-    pub(crate) fn compile(config: &config::Key, compiler: &mut Compiler<'_>) -> Option<Key> {
-        let input = compiler.driven("input", &config.input)?;
-        Some(Key { name: config.name.clone(), input, invert: config.invert, pressed: false })
+    pub(crate) fn compile(config: &config::Key, compiler: &mut Compiler<'_>) -> Key {
+        let input = config.input.as_ref().and_then(|name| compiler.driven("input", name));
+        if config.input.is_none() && config.command.is_none() {
+            compiler.error("", "needs `input` or `command`, else it does nothing");
+        }
+        let (invert, command) = (config.invert, config.command);
+        Key { name: config.name.clone(), input, invert, command, pressed: false, seen: false }
     }
 
     pub(crate) fn step(&self, inputs: &mut [u8; INPUT_PORTS]) {
-        self.input.set(inputs, self.pressed != self.invert);
+        if let Some(input) = self.input {
+            input.set(inputs, self.pressed != self.invert);
+        }
+    }
+
+    /// Its command, and whether the key went down, when that changed.
+    pub(crate) fn command(&mut self) -> Option<(i32, bool)> {
+        let changed = core::mem::replace(&mut self.seen, self.pressed) != self.pressed;
+        self.command.filter(|_| changed).map(|code| (code, self.pressed))
     }
 }

@@ -1,5 +1,6 @@
-//! The simulated machine behind a TECHNOL program: contactors, moving elements, encoders, turrets, keys,
-//! faults and the part-program blocks the control starts.
+//! The simulated control around a TECHNOL program ([`SimulatedControl`]) and the machine behind it: contactors, moving
+//! elements, encoders, turrets, latches, counters, analog values, slides, axes, keys, faults and the part-program blocks
+//! the control starts.
 //!
 //! `no_std` + `alloc` and deterministic: the machine is a function of the outputs it sees and of the calls made
 //! on it. One [`Plant::step`] is one millisecond.
@@ -11,18 +12,33 @@ mod block;
 mod compile;
 pub mod config;
 mod contact;
+mod control;
+mod counter;
 mod drive;
+mod element;
 mod encoder;
 mod fault;
 mod key;
+mod latch;
 mod limit;
+pub mod motion;
+mod number;
 mod plant;
+mod ramp;
+mod settings;
 mod signal;
+mod slide;
 mod turret;
+mod wiring;
 
-pub use block::{BlockMode, BlockStart};
+pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use drive::Outputs;
+pub use control::SimulatedControl;
+pub use drive::{Outputs, Signals};
+pub use motion::{Cells, Motion};
+pub use number::Thousandths;
 pub use plant::{Plant, PlantEvent, UnknownName};
+pub use settings::{ControlSettings, SpindleGear};
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
+pub use wiring::{Wire, Wiring, wiring};

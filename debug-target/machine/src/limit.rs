@@ -2,8 +2,8 @@
 
 use crate::compile::Compiler;
 use crate::config::{self, End};
-use crate::drive::Drive;
-use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS};
+use crate::drive::{Drive, World};
+use crate::signal::{INPUT_PORTS, InputBit};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Limit {
@@ -55,13 +55,13 @@ impl Limit {
         self.position = self.initially;
     }
 
-    pub(crate) fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
-        let forward = self.forward.is_on(outputs);
-        let backward = self.backward.as_ref().map_or(!forward, |bit| bit.is_on(outputs));
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+        let forward = self.forward.is_on(world.outputs);
+        let backward = self.backward.as_ref().map_or(!forward, |bit| bit.is_on(world.outputs));
         // Driven both ways at once it stands still.
-        if forward && !backward {
+        if moves && forward && !backward {
             self.position = (self.position + self.step_forward).min(self.travel);
-        } else if backward && !forward {
+        } else if moves && backward && !forward {
             self.position = self.position.saturating_sub(self.step_backward);
         }
         if let Some(bit) = self.at_start {

@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
-use core::fmt;
+use core::fmt::{self, Write};
 
 use technol_image::program::FASTEST_PERIODS;
 
@@ -11,21 +11,44 @@ use crate::block::{BlockStart, Program};
 use crate::compile::{Compiler, ConfigError};
 use crate::config::MachineConfig;
 use crate::contact::Contact;
+use crate::counter::Counter;
+use crate::drive::World;
+use crate::element::{Element, Mounted};
 use crate::encoder::Encoder;
 use crate::fault::Fault;
 use crate::key::Key;
+use crate::latch::Latch;
 use crate::limit::Limit;
+use crate::motion::switch::AxisSwitch;
+use crate::motion::{self, Motion};
+use crate::ramp::Ramp;
+use crate::settings::{self, ControlKey, ControlKeys, ControlSettings};
 use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
+use crate::slide::Slide;
 use crate::turret::Turret;
 
 /// Period of MODULE_FASTEST in microseconds when nothing is said.
 const DEFAULT_FASTEST: u16 = 1000;
 
 /// Something the machine does besides changing inputs.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum PlantEvent {
     /// The control starts a block.
     StartBlock(BlockStart),
+    /// A key with a PLC command was pressed or released.
+    Command {
+        /// Its code.
+        code: i32,
+        /// Pressed.
+        pressed: bool,
+    },
+    /// START of the control after a stop.
+    Start,
+    /// STOP of the control.
+    Stop {
+        /// The emergency stop.
+        emergency: bool,
+    },
 }
 
 /// There is no fault or key of that name.
@@ -53,13 +76,15 @@ impl core::error::Error for UnknownName {}
 #[derive(Clone, Debug, Default)]
 pub struct Plant {
     millis: u64,
-    contacts: Vec<Contact>,
-    limits: Vec<Limit>,
-    encoders: Vec<Encoder>,
-    turrets: Vec<Turret>,
+    elements: Vec<Mounted>,
+    switches: Vec<AxisSwitch>,
     keys: Vec<Key>,
     faults: Vec<Fault>,
+    /// Outputs with a short circuit; `None` while there is none.
+    shorted: Option<[u8; OUTPUT_PORTS]>,
     programs: Vec<Program>,
+    control_keys: ControlKeys,
+    control: ControlSettings,
     fast_inputs: Vec<u8>,
     /// 0: the default.
     fastest_period: u16,
@@ -78,33 +103,32 @@ impl Plant {
     ) -> Result<Plant, Vec<ConfigError>> {
         let mut compiler = Compiler::new(resolve);
         let mut plant = Plant::default();
-        for (index, element) in config.contact.iter().enumerate() {
-            compiler.enter("contact", Some(index));
-            plant.contacts.extend(Contact::compile(element, &mut compiler));
+        plant.mount(config, &mut compiler);
+        for (index, axis) in config.axis.iter().enumerate() {
+            compiler.enter("axis", Some(index));
+            motion::settings::check(axis, &config.axis[..index], &mut compiler);
+            for switch in &axis.switch {
+                plant.switches.extend(AxisSwitch::compile(axis, switch, &mut compiler));
+            }
         }
-        for (index, element) in config.limit.iter().enumerate() {
-            compiler.enter("limit", Some(index));
-            plant.limits.push(Limit::compile(element, &mut compiler));
-        }
-        for (index, element) in config.encoder.iter().enumerate() {
-            compiler.enter("encoder", Some(index));
-            plant.encoders.push(Encoder::compile(element, &mut compiler));
-        }
-        for (index, element) in config.turret.iter().enumerate() {
-            compiler.enter("turret", Some(index));
-            plant.turrets.push(Turret::compile(element, &mut compiler));
+        for (index, spindle) in config.spindle.iter().enumerate() {
+            compiler.enter("spindle", Some(index));
+            motion::spindle::check(spindle, &config.spindle[..index], &mut compiler);
         }
         for (index, key) in config.key.iter().enumerate() {
             compiler.enter("key", Some(index));
             compiler.unique(&key.name, config.key[..index].iter().map(|k| k.name.as_str()));
-            plant.keys.extend(Key::compile(key, &mut compiler));
+            plant.keys.push(Key::compile(key, &mut compiler));
         }
         for (index, fault) in config.fault.iter().enumerate() {
             compiler.enter("fault", Some(index));
             compiler.unique(&fault.name, config.fault[..index].iter().map(|f| f.name.as_str()));
-            plant.faults.extend(Fault::compile(fault, &mut compiler));
+            plant.faults.extend(Fault::compile(fault, &plant.elements, &mut compiler));
         }
         plant.programs = Program::compile(&config.block, &mut compiler);
+        plant.control_keys = ControlKeys::compile(config, &mut compiler);
+        plant.control = settings::settings(config, &mut compiler);
+        plant.apply_faults();
         compiler.enter("io", None);
         let fast = &config.io;
         plant.fast_inputs =
@@ -122,23 +146,61 @@ impl Plant {
         if compiler.errors.is_empty() { Ok(plant) } else { Err(compiler.errors) }
     }
 
+    fn mount(&mut self, config: &MachineConfig, compiler: &mut Compiler<'_>) {
+        let mut add = |name: &str, element| self.elements.push(Mounted::new(name, element));
+        for (index, element) in config.contact.iter().enumerate() {
+            compiler.enter("contact", Some(index));
+            if let Some(contact) = Contact::compile(element, compiler) {
+                add(&element.name, Element::Contact(contact));
+            }
+        }
+        for (index, element) in config.limit.iter().enumerate() {
+            compiler.enter("limit", Some(index));
+            add(&element.name, Element::Limit(Limit::compile(element, compiler)));
+        }
+        for (index, element) in config.encoder.iter().enumerate() {
+            compiler.enter("encoder", Some(index));
+            add(&element.name, Element::Encoder(Encoder::compile(element, compiler)));
+        }
+        for (index, element) in config.turret.iter().enumerate() {
+            compiler.enter("turret", Some(index));
+            add(&element.name, Element::Turret(Turret::compile(element, compiler)));
+        }
+        for (index, element) in config.latch.iter().enumerate() {
+            compiler.enter("latch", Some(index));
+            if let Some(latch) = Latch::compile(element, compiler) {
+                add(&element.name, Element::Latch(latch));
+            }
+        }
+        for (index, element) in config.counter.iter().enumerate() {
+            compiler.enter("counter", Some(index));
+            add(&element.name, Element::Counter(Counter::compile(element, compiler)));
+        }
+        for (index, element) in config.ramp.iter().enumerate() {
+            compiler.enter("ramp", Some(index));
+            if let Some(ramp) = Ramp::compile(element, compiler) {
+                add(&element.name, Element::Ramp(ramp));
+            }
+        }
+        for (index, element) in config.slide.iter().enumerate() {
+            compiler.enter("slide", Some(index));
+            add(&element.name, Element::Slide(Slide::compile(element, compiler)));
+        }
+    }
+
     /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are.
     pub fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) -> Vec<PlantEvent> {
+        let before = *inputs;
         let mut outputs = *outputs;
         for fault in &self.faults {
             fault.spoil_outputs(&mut outputs);
         }
-        for contact in &mut self.contacts {
-            contact.step(&outputs, inputs);
+        let world = World { outputs: &outputs, before: &before };
+        for mounted in &mut self.elements {
+            mounted.step(world, inputs);
         }
-        for limit in &mut self.limits {
-            limit.step(&outputs, inputs);
-        }
-        for encoder in &mut self.encoders {
-            encoder.step(&outputs, inputs);
-        }
-        for turret in &mut self.turrets {
-            turret.step(&outputs, inputs);
+        for switch in &self.switches {
+            switch.step(inputs);
         }
         for key in &self.keys {
             key.step(inputs);
@@ -147,12 +209,34 @@ impl Plant {
             fault.spoil_inputs(inputs);
         }
         let mut events = Vec::new();
+        let commands = self.keys.iter_mut().filter_map(Key::command);
+        events.extend(commands.map(|(code, pressed)| PlantEvent::Command { code, pressed }));
+        self.control_events(World { outputs: &outputs, before: inputs }, &mut events);
         for program in &mut self.programs {
             let blocks = program.step(self.millis, &outputs, inputs);
             events.extend(blocks.iter().cloned().map(PlantEvent::StartBlock));
         }
         self.millis += 1;
         events
+    }
+
+    /// The axes are where they are now; their switches follow in the next [`Plant::step`].
+    pub fn place_axes(&mut self, motion: &Motion) {
+        for switch in &mut self.switches {
+            switch.place(motion);
+        }
+    }
+
+    fn control_events(&mut self, world: World<'_>, events: &mut Vec<PlantEvent>) {
+        let ControlKeys { start, stop, emergency_stop } = &mut self.control_keys;
+        let mut down = |key: &mut Option<ControlKey>, event| {
+            if key.as_mut().is_some_and(|key| key.goes_down(world)) {
+                events.push(event);
+            }
+        };
+        down(emergency_stop, PlantEvent::Stop { emergency: true });
+        down(stop, PlantEvent::Stop { emergency: false });
+        down(start, PlantEvent::Start);
     }
 
     /// The PLC starts: `at-cycle` counts from here. With `cold` every element is where it was at first; faults
@@ -162,11 +246,9 @@ impl Plant {
         for program in &mut self.programs {
             program.reset();
         }
+        self.control_keys.reset();
         if cold {
-            self.contacts.iter_mut().for_each(Contact::reset);
-            self.limits.iter_mut().for_each(Limit::reset);
-            self.encoders.iter_mut().for_each(Encoder::reset);
-            self.turrets.iter_mut().for_each(Turret::reset);
+            self.elements.iter_mut().for_each(Mounted::reset);
         }
     }
 
@@ -175,10 +257,36 @@ impl Plant {
         match self.faults.iter_mut().find(|f| f.name == name) {
             Some(fault) => {
                 fault.active = on;
+                self.apply_faults();
                 Ok(())
             }
             None => Err(unknown(name, self.faults.iter().map(|f| f.name.as_str()))),
         }
+    }
+
+    /// What hinders the elements, and which outputs are shorted, after a fault was switched.
+    fn apply_faults(&mut self) {
+        for mounted in &mut self.elements {
+            mounted.pace = 1;
+            mounted.held = None;
+        }
+        let mut shorted = [0; OUTPUT_PORTS];
+        for fault in &self.faults {
+            fault.act(&mut self.elements, &mut shorted);
+        }
+        self.shorted = Some(shorted).filter(|ports| ports.iter().any(|port| *port != 0));
+    }
+
+    /// Outputs with a short circuit, one bit each; `None` while there is none.
+    #[must_use]
+    pub fn shorted(&self) -> Option<&[u8; OUTPUT_PORTS]> {
+        self.shorted.as_ref()
+    }
+
+    /// Settings of the control.
+    #[must_use]
+    pub fn control(&self) -> &ControlSettings {
+        &self.control
     }
 
     /// Presses (`down`) or releases a key.
@@ -202,6 +310,16 @@ impl Plant {
         self.keys.iter().map(|k| (k.name.as_str(), k.pressed))
     }
 
+    /// A number that two machines of the same description share when they are in the same state.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        // How a value shows itself has every field of every element in it, also of those that are added later.
+        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
+        // Writing into the hash does not fail.
+        let _ = write!(hash, "{self:?}");
+        hash.0
+    }
+
     /// Indices of the input ports (0 is P1IN) that are copied each millisecond.
     #[must_use]
     pub fn fast_inputs(&self) -> &[u8] {
@@ -218,6 +336,18 @@ impl Plant {
     #[must_use]
     pub fn fast_outputs(&self) -> &[u8] {
         &self.fast_outputs
+    }
+}
+
+/// 64-bit FNV-1a.
+struct Fnv(u64);
+
+impl Write for Fnv {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 = text
+            .bytes()
+            .fold(self.0, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
+        Ok(())
     }
 }
 

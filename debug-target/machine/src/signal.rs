@@ -112,6 +112,10 @@ impl OutputBit {
         outputs[usize::from(self.port)] & self.mask != 0
     }
 
+    pub(crate) fn set(self, outputs: &mut [u8; OUTPUT_PORTS]) {
+        outputs[usize::from(self.port)] |= self.mask;
+    }
+
     pub(crate) fn clear(self, outputs: &mut [u8; OUTPUT_PORTS]) {
         outputs[usize::from(self.port)] &= !self.mask;
     }

@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::drive::Drive;
-use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS};
+use crate::drive::{Drive, World};
+use crate::signal::{INPUT_PORTS, InputBit};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Turret {
@@ -67,12 +67,12 @@ impl Turret {
         self.position = self.initially;
     }
 
-    pub(crate) fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
-        let forward = self.motor.is_on(outputs);
-        let backward = self.reverse.as_ref().is_some_and(|bit| bit.is_on(outputs));
-        if forward && !backward {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+        let forward = self.motor.is_on(world.outputs);
+        let backward = self.reverse.as_ref().is_some_and(|bit| bit.is_on(world.outputs));
+        if moves && forward && !backward {
             self.position = (self.position + 1) % self.turn;
-        } else if backward && !forward {
+        } else if moves && backward && !forward {
             self.position = (self.position + self.turn - 1) % self.turn;
         }
         let station_ms = u64::from(self.station_ms);

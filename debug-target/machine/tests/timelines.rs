@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)] // tests
 
 use technol_machine::{
-    BlockMode, BlockStart, INPUT_PORTS, MachineConfig, OUTPUT_PORTS, Plant, PlantEvent, Signal,
+    BlockExtra, BlockMode, BlockStart, INPUT_PORTS, MachineConfig, OUTPUT_PORTS, Plant, PlantEvent, Signal,
 };
 
 fn plant(toml: &str) -> Plant {
@@ -163,7 +163,8 @@ fn blocks_start_in_their_cycle_or_on_a_rising_edge() {
             80 => plant.press("go", false).unwrap(),
             _ => {}
         }
-        for PlantEvent::StartBlock(block) in plant.step(&[0; OUTPUT_PORTS], &mut inputs) {
+        for event in plant.step(&[0; OUTPUT_PORTS], &mut inputs) {
+            let PlantEvent::StartBlock(block) = event else { panic!("{event:?}") };
             seen.push((ms, block));
         }
     }
@@ -175,13 +176,18 @@ fn blocks_start_in_their_cycle_or_on_a_rising_edge() {
         motion_ms: 0,
         rapid: false,
         mode,
+        extra: BlockExtra::default(),
     };
-    let first = BlockStart { s: Some(1200), motion_ms: 400, ..block(&[3], BlockMode::Auto) };
-    let tool = BlockStart { t: Some(7), ..block(&[], BlockMode::Auto) };
-    assert_eq!(
-        seen,
-        [(40, first.clone()), (40, block(&[5], BlockMode::Reference)), (60, tool.clone()), (100, tool)]
-    );
+    let place = |first, last| BlockExtra { first, last, ..BlockExtra::default() };
+    let first = BlockStart {
+        s: Some(1200),
+        motion_ms: 400,
+        extra: place(true, false),
+        ..block(&[3], BlockMode::Auto)
+    };
+    let second = BlockStart { extra: place(false, true), ..block(&[5], BlockMode::Reference) };
+    let tool = BlockStart { t: Some(7), extra: place(true, true), ..block(&[], BlockMode::Auto) };
+    assert_eq!(seen, [(40, first.clone()), (40, second), (60, tool.clone()), (100, tool)]);
     plant.start(false);
     let mut again = (0..60).flat_map(|_| plant.step(&[0; OUTPUT_PORTS], &mut inputs));
     assert_eq!(
@@ -250,8 +256,8 @@ fn everything_that_is_wrong_is_named_with_its_place() {
         "turret[0].strobe-ms: must be at least 1 and less than `station-ms`",
         "key[1].name: `a` is used twice; names must differ",
         "fault[0].name: must not be empty; it is how this is switched",
-        "fault[0]: needs either `input` with `stuck = true` or `false`, or `output` with `broken = true`",
-        "fault[1]: needs either `input` with `stuck = true` or `false`, or `output` with `broken = true`",
+        "fault[0]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
+        "fault[1]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
         "block[0].m: M functions go from 0 to 99",
         "block[0]: the first block needs `at-cycle` or `on`",
         "block[1].on: cannot be combined with `at-cycle`",

@@ -1,6 +1,7 @@
 //! The block cycle: functions of a part-program block, MODULE_BLOCK_INIT, movement, MODULE_BLOCK_DONE
 //! (manual 5.2, 8.1, 8.2).
 
+use alloc::boxed::Box;
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use core::fmt;
@@ -8,8 +9,9 @@ use core::fmt;
 use technol_image::op::BitRef;
 use technol_image::system;
 
-use crate::m_functions;
+use crate::m_functions::{self, Gear, Groups};
 use crate::memory::Memory;
+use crate::prepared::{self, BlockFlag, BlockReal, Prepared};
 
 /// Blocks that wait for their turn.
 pub(crate) const QUEUE_LEN: usize = 16;
@@ -29,7 +31,7 @@ pub enum BlockMode {
 }
 
 /// A part-program block as handed to the PLC.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
     /// M functions, 0..=99, in the order they are written.
     pub m: Vec<u8>,
@@ -45,6 +47,18 @@ pub struct Block {
     pub rapid: bool,
     /// Mode of the start.
     pub mode: BlockMode,
+    /// What the block tells beyond its functions; for `BLK[n]`.
+    pub prepared: Option<Box<Prepared>>,
+}
+
+impl Block {
+    fn has(&self, flag: BlockFlag) -> bool {
+        self.prepared.as_ref().is_some_and(|prepared| prepared.flags.has(flag))
+    }
+
+    fn is_stop(&self, conditional: bool) -> bool {
+        self.m.iter().any(|m| *m == 0 || *m == 1 && conditional)
+    }
 }
 
 /// Why a block was not accepted.
@@ -81,11 +95,31 @@ pub(crate) enum Stage {
     Closing,
 }
 
+/// A start that was requested and not yet carried out (manual 8.1.13).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Start {
+    /// Of the blocks that wait.
+    Program,
+    /// Of the block that was stopped.
+    Again,
+}
+
 /// The block in progress and those that wait.
 #[derive(Clone, Debug)]
 pub(crate) struct BlockCycle {
     pub(crate) stage: Stage,
     pub(crate) queue: VecDeque<Block>,
+    pub(crate) groups: Groups,
+    pub(crate) gears: Vec<Gear>,
+    /// M01 stops.
+    pub(crate) conditional_stop: bool,
+    start: Option<Start>,
+    /// Started: blocks follow each other.
+    running: bool,
+    /// M40 is in force: the gear follows the programmed speed.
+    automatic_gear: bool,
+    /// The program stops behind the block in progress.
+    stop_behind: bool,
     /// Movement of the block in progress.
     motion_ms: u32,
     /// A stop was taken: the movement holds.
@@ -99,6 +133,13 @@ impl BlockCycle {
         BlockCycle {
             stage: Stage::Idle,
             queue: VecDeque::with_capacity(QUEUE_LEN),
+            groups: Groups::new(),
+            gears: Vec::new(),
+            conditional_stop: false,
+            start: None,
+            running: false,
+            automatic_gear: false,
+            stop_behind: false,
             motion_ms: 0,
             stopped: false,
             stop_seen: false,
@@ -121,15 +162,53 @@ impl BlockCycle {
         Ok(())
     }
 
-    /// Takes the next block over into the block cells. False when there is none or the PLC forbids a start.
-    pub(crate) fn begin(&mut self, memory: &mut Memory) -> bool {
+    /// A block was queued. True when that is the start of a program, which `_ON_EVENT` is to be asked about first.
+    pub(crate) fn request_start(&mut self, memory: &mut Memory) -> bool {
+        let idle = self.stage == Stage::Idle && !self.running && !self.queue.is_empty();
+        self.request(idle.then_some(Start::Program), memory)
+    }
+
+    /// The START key after a stop: of the PLC in a block, or of M00 behind one. True as in
+    /// [`request_start`](Self::request_start).
+    pub(crate) fn request_restart(&mut self, memory: &mut Memory) -> bool {
+        if self.stopped { self.request(Some(Start::Again), memory) } else { self.request_start(memory) }
+    }
+
+    fn request(&mut self, start: Option<Start>, memory: &mut Memory) -> bool {
+        if self.start.is_some() || start.is_none() {
+            return false;
+        }
+        memory.set_flag(system::START_SUSPEND, false);
+        self.start = start;
+        true
+    }
+
+    /// Carries out a requested start unless the PLC forbids or holds it. True when it did.
+    pub(crate) fn take_start(&mut self, memory: &mut Memory) -> bool {
         if memory.flag(system::START_DISABLE) || memory.flag(system::START_SUSPEND) {
             return false;
         }
-        let Some(block) = self.queue.pop_front() else { return false };
-        let waiting = self.queue.len() as u16;
-        memory.set_word(system::CNT_NEXT_BLOCKS, waiting);
+        match self.start.take() {
+            None => return false,
+            Some(Start::Program) => self.running = true,
+            Some(Start::Again) => self.restart(memory),
+        }
+        true
+    }
+
+    /// Takes the next block over into the block cells. False when there is none or no program was started.
+    pub(crate) fn begin(&mut self, memory: &mut Memory) -> bool {
+        if !self.running {
+            return false;
+        }
+        let Some(block) = self.queue.pop_front() else {
+            self.running = false;
+            return false;
+        };
+        memory.set_word(system::CNT_NEXT_BLOCKS, self.queue.len() as u16);
+        prepared::write_all(memory, &self.groups, &block, self.queue.iter());
         self.stopped = false;
+        self.stop_behind = block.is_stop(self.conditional_stop);
         memory.set_flag(system::PO_STOP, false);
         memory.set_flag(system::PO_POL, false);
         memory.set_flag(system::PO_F, true);
@@ -137,8 +216,20 @@ impl BlockCycle {
         memory.set_flag(system::CAPI, block.mode == BlockMode::CentralAnnulment);
         memory.set_flag(system::REFPI, block.mode == BlockMode::Reference);
         memory.set_flag(system::G00PI, block.rapid);
+        memory.set_flag(system::G33PI, block.has(BlockFlag::Thread));
+        self.write_functions(&block, memory);
+        self.motion_ms = block.motion_ms;
+        self.stage = Stage::Preparing;
+        true
+    }
+
+    fn write_functions(&mut self, block: &Block, memory: &mut Memory) {
         for m in &block.m {
-            m_functions::write(memory, *m);
+            let group = self.groups.of(*m);
+            m_functions::write(memory, *m, group);
+            if group == 3 {
+                self.automatic_gear = *m == 40;
+            }
         }
         if let Some(tool) = block.t {
             m_functions::write_tool(memory, tool);
@@ -146,12 +237,15 @@ impl BlockCycle {
         if let Some(h) = block.h {
             m_functions::write_h(memory, h);
         }
-        if let Some(value) = block.s {
+        let programmed = block.prepared.as_ref().and_then(|p| p.value(BlockReal::SpindleSpeed));
+        let speed = prepared::spindle_speed(memory);
+        if self.automatic_gear && (programmed.is_some() || block.m.contains(&40)) && speed > 0.0 {
+            m_functions::choose_gear(memory, &self.gears, speed);
+        }
+        let computed = || programmed.and_then(|speed| m_functions::spindle_value(memory, &self.gears, speed));
+        if let Some(value) = block.s.or_else(computed) {
             m_functions::write_spindle(memory, value);
         }
-        self.motion_ms = block.motion_ms;
-        self.stage = Stage::Preparing;
-        true
     }
 
     /// Preparation is over: the movement is released.
@@ -181,8 +275,29 @@ impl BlockCycle {
         }
     }
 
-    /// The block is over, finished or broken off.
-    pub(crate) fn end(&mut self, memory: &mut Memory) {
+    /// The block is finished. True when the program stops behind it: M00, or M01 where that counts.
+    pub(crate) fn finish(&mut self, memory: &mut Memory) -> bool {
+        self.end(memory);
+        let stops = self.stop_behind && !self.queue.is_empty();
+        self.running &= !stops && !self.queue.is_empty();
+        if stops {
+            memory.set_flag(system::PO_STOP, true);
+        }
+        stops
+    }
+
+    /// The block is broken off, if there is one, and the program with it. True when there was one.
+    pub(crate) fn abort(&mut self, memory: &mut Memory) -> bool {
+        self.forget(memory);
+        let was_busy = self.stage != Stage::Idle;
+        if was_busy {
+            self.end(memory);
+        }
+        prepared::end_current(memory);
+        was_busy
+    }
+
+    fn end(&mut self, memory: &mut Memory) {
         self.stage = Stage::Idle;
         self.stopped = false;
         memory.set_flag(system::PO_F, false);
@@ -190,6 +305,15 @@ impl BlockCycle {
         memory.set_flag(system::BLOCK_RESTART, false);
         memory.set_byte(system::STATUS_RESTART, 0);
         m_functions::clear_one_block(memory);
+    }
+
+    /// Nothing waits any more, and nothing is to be started.
+    fn forget(&mut self, memory: &mut Memory) {
+        self.queue.clear();
+        self.start = None;
+        self.running = false;
+        memory.set_word(system::CNT_NEXT_BLOCKS, 0);
+        prepared::forget_waiting(memory);
     }
 
     /// Looks for a stop request of the PLC and takes it. Returns its event code.
@@ -208,8 +332,7 @@ impl BlockCycle {
 
     /// Stops what is running: the movement holds, queued blocks are forgotten. False when nothing was running.
     pub(crate) fn stop(&mut self, memory: &mut Memory) -> bool {
-        self.queue.clear();
-        memory.set_word(system::CNT_NEXT_BLOCKS, 0);
+        self.forget(memory);
         if self.stage == Stage::Idle {
             return false;
         }
@@ -220,11 +343,9 @@ impl BlockCycle {
     }
 
     /// Start after a stop.
-    pub(crate) fn restart(&mut self, memory: &mut Memory) {
-        if !self.stopped || memory.flag(system::START_DISABLE) {
-            return;
-        }
+    fn restart(&mut self, memory: &mut Memory) {
         self.stopped = false;
+        self.running = true;
         let stage = match self.stage {
             Stage::Idle => 0,
             Stage::Preparing => 1,
@@ -237,6 +358,7 @@ impl BlockCycle {
         if matches!(self.stage, Stage::Moving { left_ms } if left_ms > 0) {
             memory.set_flag(system::INPOS, false);
         }
+        prepared::mark_partial(memory);
     }
 }
 

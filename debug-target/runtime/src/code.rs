@@ -45,6 +45,8 @@ pub(crate) struct Code {
     pub(crate) on_eset: Option<u16>,
     /// Procedure `_ON_EVENT`.
     pub(crate) on_event: Option<u16>,
+    /// Procedure `_ON_CMD`.
+    pub(crate) on_cmd: Option<u16>,
     /// Entries of `fast` that break-points replaced, in the order of replacement.
     patches: Vec<(Pc, Fast)>,
 }
@@ -65,6 +67,7 @@ impl Code {
             sequence_at: sequence_table(program),
             on_eset: program.procedure("_ON_ESET"),
             on_event: program.procedure("_ON_EVENT"),
+            on_cmd: program.procedure("_ON_CMD"),
             patches: Vec::new(),
         }
     }

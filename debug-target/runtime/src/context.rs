@@ -51,10 +51,14 @@ pub(crate) struct Context {
 
 impl Context {
     pub(crate) fn new() -> Context {
+        Context { calls: Vec::with_capacity(MAX_CALLS), ..Context::without_calls() }
+    }
+
+    fn without_calls() -> Context {
         Context {
             regs: Registers::default(),
             pc: 0,
-            calls: Vec::with_capacity(MAX_CALLS),
+            calls: Vec::new(),
             root: Root::Module(0),
             budget: 0,
             granted: 0,
@@ -62,6 +66,13 @@ impl Context {
             activation: 0,
             skip_stop: false,
         }
+    }
+
+    /// As new, in the memory it has.
+    pub(crate) fn reset(&mut self) {
+        let mut calls = core::mem::take(&mut self.calls);
+        calls.clear();
+        *self = Context { calls, ..Context::without_calls() };
     }
 
     /// Begins a pass at `pc`. RLO, DR and DR_REAL are what the last pass left, as on the real processor.

@@ -130,6 +130,8 @@ pub(crate) struct Debugger {
     pub(crate) focus: Line,
     /// Milliseconds held.
     pub(crate) held_millis: u64,
+    /// Never through the fused equations.
+    pub(crate) line_by_line: bool,
 }
 
 /// A step in progress and where it began.
@@ -190,12 +192,13 @@ impl Debugger {
             stop: None,
             focus: Line::Main,
             held_millis: 0,
+            line_by_line: false,
         }
     }
 
-    /// Statements must be looked at one by one.
-    pub(crate) fn is_watching(&self) -> bool {
-        self.pause.is_some() || self.step.is_some()
+    /// Statements must be looked at one by one; the debugger may stop there when `stoppable`.
+    pub(crate) fn is_watching(&self, stoppable: bool) -> bool {
+        self.line_by_line || stoppable && (self.pause.is_some() || self.step.is_some())
     }
 
     /// Whether to hold before the statement at `ctx.pc`.

@@ -34,7 +34,7 @@ impl PlcState {
 ///
 /// StartPlc, StopPlc, ClearPlc and Halt each take a tick of their own in which PLC time does not advance.
 /// StartPlc is acted on even while the debugger holds the program.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Starts (or restarts) the PLC: MODULE_INIT, then cycles.
     StartPlc {
@@ -52,12 +52,24 @@ pub enum Command {
     Halt,
     /// Starts a part-program block; at most 16 are queued.
     StartBlock(Block),
-    /// Start after a stop: the stopped block goes on.
+    /// Start after a stop: the stopped block goes on, or the program behind M00.
     ContinueBlock,
+    /// The STOP key or the emergency stop of the control: as STOP_REQ and STOP_EMERGENCY_REQ of the program.
+    StopBlock {
+        /// Emergency stop.
+        emergency: bool,
+    },
     /// Central annulment: breaks the block and forgets queued ones.
     AbortBlock,
-    /// Calls the procedure `_ON_EVENT` with this code in DR in the next cycle; at most 16 are queued.
+    /// Calls the procedure `_ON_EVENT` with this code in DR in the next cycle; at most 16 calls are queued.
     Event(i64),
+    /// A key or menu item with a PLC command: calls the procedure `_ON_CMD` in the next cycle, among the events.
+    PlcCommand {
+        /// Its code, in DR.
+        code: i32,
+        /// Pressed (RLO = 1) or released.
+        pressed: bool,
+    },
 }
 
 /// A rate at which modules are executed.

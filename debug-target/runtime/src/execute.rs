@@ -12,14 +12,17 @@ use crate::arithmetic;
 use crate::calls;
 use crate::code::{Code, Fast};
 use crate::context::Context;
+use crate::control::{Call, Control};
 use crate::debugger::StopReason;
 use crate::equation;
 use crate::event::RuntimeEvent;
 use crate::fault::FaultKind;
 use crate::memory::Memory;
 use crate::operands;
+use crate::prepared;
 use crate::registers::{Registers, sign_extend};
 use crate::sequence;
+use crate::texts;
 use crate::timing;
 
 /// What programs read and write besides registers.
@@ -40,6 +43,12 @@ impl Machine {
     pub(crate) fn cycle(&self) -> u64 {
         self.millis / 20
     }
+}
+
+/// What is around a program while it executes.
+pub(crate) struct World<'a> {
+    pub(crate) control: &'a mut dyn Control,
+    pub(crate) events: &'a mut Vec<RuntimeEvent>,
 }
 
 /// Why a loop ended.
@@ -69,7 +78,7 @@ pub(crate) fn run(
     code: &Code,
     machine: &mut Machine,
     ctx: &mut Context,
-    events: &mut Vec<RuntimeEvent>,
+    world: &mut World<'_>,
     stoppable: bool,
 ) -> Exit {
     let ops = program.code.as_slice();
@@ -110,7 +119,7 @@ pub(crate) fn run(
             Ok(Step::Cold) => {
                 ctx.pc = pc;
                 ctx.regs = regs;
-                let step = cold(program, code, machine, ctx, events);
+                let step = cold(program, code, machine, ctx, world);
                 regs = ctx.regs;
                 match step {
                     Ok(Step::Goto(target)) => pc = target,
@@ -134,7 +143,7 @@ pub(crate) fn run_watched(
     code: &Code,
     machine: &mut Machine,
     ctx: &mut Context,
-    events: &mut Vec<RuntimeEvent>,
+    world: &mut World<'_>,
     watch: &dyn Fn(&Machine, &Context) -> Option<StopReason>,
 ) -> Exit {
     loop {
@@ -153,7 +162,7 @@ pub(crate) fn run_watched(
         }
         ctx.budget -= cost;
         let step = match hot(op, &mut ctx.regs, &mut machine.memory) {
-            Ok(Step::Cold) => cold(program, code, machine, ctx, events),
+            Ok(Step::Cold) => cold(program, code, machine, ctx, world),
             other => other,
         };
         match step {
@@ -165,11 +174,15 @@ pub(crate) fn run_watched(
     }
 }
 
+/// A call takes as long as about so many operations: they copy texts and tables.
+const SERVICE_COST: u32 = 20;
+
 /// What an operation takes from the budget: copying costs by length, everything else 1.
 #[inline]
 fn cost(op: &Op) -> u32 {
     match op {
         Op::Copy { len, .. } | Op::Clear { len, .. } => 1 + len / 16,
+        Op::Service(_) => SERVICE_COST,
         _ => 1,
     }
 }
@@ -286,7 +299,7 @@ fn cold(
     code: &Code,
     machine: &mut Machine,
     ctx: &mut Context,
-    events: &mut Vec<RuntimeEvent>,
+    world: &mut World<'_>,
 ) -> Result<Step, FaultKind> {
     let Machine { memory, .. } = machine;
     let regs = &mut ctx.regs;
@@ -322,15 +335,26 @@ fn cold(
         }
         Op::Clear { addr, len } => memory.fill(*addr as usize, *len as usize, 0),
         Op::IndexFromDr => regs.bx = u32::from(regs.dr as u16),
+        Op::SelectBlock { offset, len } => prepared::select(memory, regs.bx, *offset, *len),
         Op::InitFinished(file) => machine.init_seen |= 1 << file,
         Op::DoneFinished(file) => machine.done_seen |= 1 << file,
         Op::Call(procedure) => return calls::call(program, ctx, *procedure, None),
         Op::Return => return calls::return_from(ctx),
         Op::ModuleEnd if ctx.calls.is_empty() => return Ok(Step::End),
         Op::ModuleEnd => return Err(FaultKind::UnexpectedEnd),
+        Op::Service(index) => {
+            let call = &program.services[usize::from(*index)];
+            let millis = machine.millis;
+            let mut call =
+                Call { service: call.service, args: &call.args, index: *index, millis, memory, regs };
+            match texts::execute(&mut call) {
+                Some(done) => done?,
+                None => world.control.service(&mut call)?,
+            }
+        }
         Op::Message { index, cond } => {
             if holds(*cond, regs.rlo) {
-                return calls::message(program, code, machine, ctx, *index, events);
+                return calls::message(program, code, machine, ctx, *index, world.events);
             }
         }
         _ => return sequence::execute(program, code, machine, ctx),

@@ -4,6 +4,7 @@ use core::fmt;
 
 use technol_image::op::Pc;
 use technol_image::program::ModuleKind;
+use technol_image::service::Service;
 
 /// What went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +41,8 @@ pub enum FaultKind {
         /// Content of the cell.
         point: u16,
     },
+    /// The control has no such instruction.
+    NoService(Service),
 }
 
 impl fmt::Display for FaultKind {
@@ -57,6 +60,9 @@ impl fmt::Display for FaultKind {
             FaultKind::CallDepth => f.write_str("procedures are called too deeply"),
             FaultKind::UnexpectedReturn => f.write_str("end of a procedure reached without a call"),
             FaultKind::UnexpectedEnd => f.write_str("end of the module reached inside a procedure"),
+            FaultKind::NoService(service) => {
+                write!(f, "the control of this target does not carry out {}", service.name())
+            }
             FaultKind::BadContinuation { point, .. } => {
                 write!(
                     f,

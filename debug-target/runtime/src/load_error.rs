@@ -23,6 +23,8 @@ pub enum LoadItem {
     Timed(usize),
     /// An ESET parameter set, by index.
     Message(usize),
+    /// A parameter set of a service call, by index.
+    Service(usize),
     /// A procedure, by number.
     Procedure(usize),
     /// A block of initial data, by index.
@@ -55,6 +57,7 @@ impl fmt::Display for LoadError {
             LoadItem::Sequence(n) => write!(f, "sequence {n}")?,
             LoadItem::Timed(n) => write!(f, "TEX/TIM parameters {n}")?,
             LoadItem::Message(n) => write!(f, "message parameters {n}")?,
+            LoadItem::Service(n) => write!(f, "parameters of call {n}")?,
             LoadItem::Procedure(n) => write!(f, "procedure {n}")?,
             LoadItem::Initial(n) => write!(f, "initial data {n}")?,
         }

@@ -1,36 +1,90 @@
 //! The functions of a part-program block in the block cells of the system region (manual 8.2).
 
-use alloc::vec::Vec;
+use core::fmt;
 
 use technol_image::op::{Addr, BitRef};
-use technol_image::system;
+use technol_image::system::{self, m_group};
 
 use crate::decimal::to_bcd;
 use crate::memory::Memory;
 
-/// Fixed group of an M function; all others are in group 14.
-fn group(m: u8) -> u8 {
-    match m {
-        0 | 1 | 2 | 30 => 1,
-        3 | 4 | 5 | 19 => 2,
-        40..=44 => 3,
-        7 | 8 | 9 | 17 => 5,
-        50..=53 => 6,
-        10 | 11 => 7,
-        48 | 49 => 8,
-        6 | 60 => 9,
-        _ => 14,
+/// M functions.
+const COUNT: usize = 100;
+/// Highest group; functions that nobody puts elsewhere belong to it.
+const OTHERS: u8 = 14;
+
+/// An M function cannot be put into that group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroupError {
+    /// The function.
+    pub m: u8,
+    /// The group that was asked for.
+    pub group: u8,
+}
+
+impl fmt::Display for GroupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let GroupError { m, group } = *self;
+        match m_group(m) {
+            _ if usize::from(m) >= COUNT => write!(f, "there is no M{m}; M functions go from 0 to 99"),
+            Some(own) if own != group => write!(f, "M{m:02} belongs to group {own} and cannot be moved"),
+            _ => write!(f, "there is no group {group}; M functions have groups 1 to {OTHERS}"),
+        }
     }
 }
 
-/// Cell that holds the BCD code of the group's function, for the groups that have one. Groups 10 to 13 are
-/// free by configuration of the control, which this runtime does not read.
-fn bcd_cell(group: u8) -> Option<Addr> {
-    match group {
-        2 => Some(system::PB00 + 6),
-        14 => Some(system::PB00 + 16),
-        _ => None,
+impl core::error::Error for GroupError {}
+
+/// Group of each M function (element MFunctions of the configuration, manual 8.3.5).
+#[derive(Clone, Debug)]
+pub(crate) struct Groups([u8; COUNT]);
+
+impl Groups {
+    /// The fixed groups; all other functions are in group 14.
+    pub(crate) fn new() -> Groups {
+        Groups(core::array::from_fn(|m| m_group(m as u8).unwrap_or(OTHERS)))
     }
+
+    /// The fixed groups and those given as pairs of function and group.
+    pub(crate) fn with(groups: &[(u8, u8)]) -> Result<Groups, GroupError> {
+        let mut table = Groups::new();
+        for &(m, group) in groups {
+            let free = m_group(m).is_none_or(|own| own == group);
+            let place = table.0.get_mut(usize::from(m));
+            *place.filter(|_| free && (1..=OTHERS).contains(&group)).ok_or(GroupError { m, group })? = group;
+        }
+        Ok(table)
+    }
+
+    pub(crate) fn of(&self, m: u8) -> u8 {
+        self.0.get(usize::from(m)).copied().unwrap_or(OTHERS)
+    }
+}
+
+/// A gear of the spindle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gear {
+    /// Largest speed in rev/min.
+    pub max_speed: u32,
+    /// Spindle value for that speed, 0..=7FFFh.
+    pub max_output: u16,
+}
+
+/// Gears that M41 to M44 choose.
+const GEARS: u8 = 4;
+
+/// Cell that holds the BCD code of the group's function, for the groups that have one.
+const fn bcd_cell(group: u8) -> Option<Addr> {
+    let number = match group {
+        2 => 6,
+        10 => 3,
+        11 => 13,
+        12 => 14,
+        13 => 15,
+        14 => 16,
+        _ => return None,
+    };
+    Some(system::PB00 + number)
 }
 
 /// Bits that hold for one block.
@@ -56,9 +110,8 @@ fn gear_bit(gear: u8) -> BitRef {
     BitRef { bit: system::M41PI.bit + gear, ..system::M41PI }
 }
 
-/// Writes M function `m` (0..=99).
-pub(crate) fn write(memory: &mut Memory, m: u8) {
-    let group = group(m);
+/// Writes M function `m` (0..=99) of `group`.
+pub(crate) fn write(memory: &mut Memory, m: u8, group: u8) {
     memory.set_flag(change_bit(group), true);
     if let Some(cell) = bcd_cell(group) {
         memory.set_byte(cell, to_bcd(u32::from(m)) as u8);
@@ -68,21 +121,50 @@ pub(crate) fn write(memory: &mut Memory, m: u8) {
             memory.set_flag(bit, true);
         }
     }
-    for (bit, value) in static_bits(m) {
-        memory.set_flag(bit, value);
+    // These stay until another function of the group.
+    match group {
+        2 => {
+            for (bit, on) in [(system::M03PI, 3), (system::M04PI, 4), (system::M19PI, 19)] {
+                memory.set_flag(bit, m == on);
+            }
+        }
+        // M40 leaves the choice of the gear to the control: the bits stay until it makes one.
+        3 if m != 40 => select_gear(memory, m.wrapping_sub(41)),
+        5 => {
+            memory.set_flag(system::M07PI, matches!(m, 7 | 17));
+            memory.set_flag(system::M08PI, matches!(m, 8 | 17));
+        }
+        6 => {
+            memory.set_flag(system::M50PI, matches!(m, 50 | 52));
+            memory.set_flag(system::M51PI, matches!(m, 51 | 52));
+        }
+        _ => {}
     }
 }
 
-/// Bits that stay until another function of the group.
-fn static_bits(m: u8) -> Vec<(BitRef, bool)> {
-    match m {
-        3 | 4 | 5 | 19 => [(system::M03PI, m == 3), (system::M04PI, m == 4), (system::M19PI, m == 19)].into(),
-        // M40 leaves the choice of the gear to the control: the bits stay until it makes one.
-        41..=44 => (0..4).map(|gear| (gear_bit(gear), m == 41 + gear)).collect(),
-        7 | 8 | 9 | 17 => [(system::M07PI, matches!(m, 7 | 17)), (system::M08PI, matches!(m, 8 | 17))].into(),
-        50..=53 => [(system::M50PI, matches!(m, 50 | 52)), (system::M51PI, matches!(m, 51 | 52))].into(),
-        _ => Vec::new(),
+fn select_gear(memory: &mut Memory, gear: u8) {
+    for n in 0..GEARS {
+        memory.set_flag(gear_bit(n), n == gear);
     }
+}
+
+/// Chooses the lowest gear that reaches `speed`, else the highest one (M40, automatic gear).
+pub(crate) fn choose_gear(memory: &mut Memory, gears: &[Gear], speed: f64) {
+    let reaches = |gear: &Gear| f64::from(gear.max_speed) >= speed;
+    let last = gears.len().min(usize::from(GEARS)).checked_sub(1);
+    let Some(chosen) = gears.iter().position(reaches).or(last).map(|n| n as u8) else { return };
+    if !memory.flag(gear_bit(chosen)) {
+        select_gear(memory, chosen);
+        memory.set_flag(change_bit(3), true);
+    }
+}
+
+/// The spindle value for `speed` in the gear that is chosen; `None` without one.
+pub(crate) fn spindle_value(memory: &Memory, gears: &[Gear], speed: f64) -> Option<u16> {
+    let chosen = (0..GEARS).find(|n| memory.flag(gear_bit(*n)))?;
+    let gear = gears.get(usize::from(chosen)).filter(|gear| gear.max_speed > 0)?;
+    let output = speed / f64::from(gear.max_speed) * f64::from(gear.max_output);
+    Some((output as u16).min(gear.max_output))
 }
 
 /// Writes T as eight BCD digits, low byte first.
@@ -110,7 +192,7 @@ pub(crate) fn clear_one_block(memory: &mut Memory) {
     for (_, bit) in ONE_BLOCK {
         memory.set_flag(bit, false);
     }
-    for group in 1..=14 {
+    for group in 1..=OTHERS {
         memory.set_flag(change_bit(group), false);
     }
     memory.set_flag(system::ZMSHPI, false);

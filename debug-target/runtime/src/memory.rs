@@ -125,6 +125,18 @@ impl Memory {
         self.store(addr as usize, value.to_le_bytes());
     }
 
+    pub(crate) fn set_dword(&mut self, addr: Addr, value: u32) {
+        self.store(addr as usize, value.to_le_bytes());
+    }
+
+    pub(crate) fn real(&self, addr: Addr) -> f64 {
+        f64::from_le_bytes(self.array(addr as usize))
+    }
+
+    pub(crate) fn set_real(&mut self, addr: Addr, value: f64) {
+        self.store(addr as usize, value.to_le_bytes());
+    }
+
     pub(crate) fn byte(&self, addr: Addr) -> u8 {
         self.bytes[addr as usize]
     }

@@ -52,6 +52,10 @@ pub(crate) enum Job {
     FastInputs,
     /// Copy the fast output ports.
     FastOutputs,
+    /// What the control copies before a pass of MODULE_FASTEST.
+    FastestInputs,
+    /// What the control copies after a pass of MODULE_FASTEST.
+    FastestOutputs,
     /// Execute a module, by index.
     Module(usize),
     /// The block cycle, with its two modules.
@@ -100,7 +104,7 @@ impl Plans {
         fast.extend(modules(ModuleKind::CyclicOperation));
         fast.extend(modules(ModuleKind::Fast));
         for _ in 0..fastest {
-            fast.extend(modules(ModuleKind::Fastest));
+            fast.extend(around(&[Job::FastestInputs], ModuleKind::Fastest, &[Job::FastestOutputs]));
         }
         fast.push(Job::FastOutputs);
         Plans {

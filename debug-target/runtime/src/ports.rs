@@ -29,16 +29,25 @@ pub(crate) fn copy_inputs(memory: &mut Memory, inputs: &InputImage) {
     }
 }
 
-/// One output port out of memory; `port` 0 is P0OUT.
-pub(crate) fn copy_output(memory: &Memory, outputs: &mut OutputImage, port: usize) {
+/// One output port out of memory; `port` 0 is P0OUT. A driven output that is `shorted` sets its bit of
+/// ERRLI_P0OUT …; it stays off until the program clears that bit (manual 9.3).
+pub(crate) fn copy_output(
+    memory: &mut Memory,
+    outputs: &mut OutputImage,
+    shorted: &OutputImage,
+    port: usize,
+) {
     let n = port as Addr;
     let value = memory.byte(system::OUT_PORTS + n);
-    outputs[port] = forced(memory, value, system::OUT_FORCE_LOW + n, system::OUT_FORCE_HIGH + n);
+    let driven = forced(memory, value, system::OUT_FORCE_LOW + n, system::OUT_FORCE_HIGH + n);
+    let errors = memory.byte(system::OUT_SHORTED + n) | driven & shorted[port];
+    memory.set_byte(system::OUT_SHORTED + n, errors);
+    outputs[port] = driven & !errors;
 }
 
 /// All output ports out of memory.
-pub(crate) fn copy_outputs(memory: &Memory, outputs: &mut OutputImage) {
+pub(crate) fn copy_outputs(memory: &mut Memory, outputs: &mut OutputImage, shorted: &OutputImage) {
     for port in 0..outputs.len() {
-        copy_output(memory, outputs, port);
+        copy_output(memory, outputs, shorted, port);
     }
 }

@@ -8,7 +8,7 @@ use technol_image::op::{Addr, BitRef, Pc};
 use technol_image::program::{FASTEST_PERIODS, SequenceKind};
 use technol_image::system;
 
-use crate::block::BlockCycle;
+use crate::block::{BlockCycle, QUEUE_LEN};
 use crate::code::Code;
 use crate::context::Context;
 use crate::coverage::Coverage;
@@ -20,12 +20,18 @@ use crate::event::{Command, PlcState};
 use crate::execute::Machine;
 use crate::fault::Fault;
 use crate::load_error::LoadError;
+use crate::m_functions::{Gear, GroupError, Groups};
 use crate::memory::{AccessError, Memory};
 use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
 use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
+use crate::state_hash;
+use crate::supervisor::PlcEvent;
 use crate::validate::validate;
+
+/// Commands that a host may give between two ticks without memory being asked for.
+const COMMANDS: usize = 32;
 
 /// What a call of [`Runtime::tick`] came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,8 +86,10 @@ pub struct Runtime {
     /// DR on entry of MODULE_INIT and MODULE_DONE.
     pub(crate) entry_dr: i64,
     pub(crate) block: BlockCycle,
-    /// Codes for `_ON_EVENT`.
-    pub(crate) plc_events: VecDeque<i64>,
+    /// Calls of `_ON_EVENT` and `_ON_CMD` that wait.
+    pub(crate) plc_events: VecDeque<PlcEvent>,
+    /// Outputs with a short circuit.
+    pub(crate) shorted: OutputImage,
     pub(crate) outputs: OutputImage,
     pub(crate) fast_inputs: Vec<usize>,
     pub(crate) fast_outputs: Vec<usize>,
@@ -114,10 +122,11 @@ impl Runtime {
             position: None,
             state: PlcState::Stopped,
             fault: None,
-            commands: VecDeque::new(),
+            commands: VecDeque::with_capacity(COMMANDS),
             entry_dr: 0,
             block: BlockCycle::new(),
-            plc_events: VecDeque::new(),
+            plc_events: VecDeque::with_capacity(QUEUE_LEN),
+            shorted: [0; system::OUT_PORT_COUNT as usize],
             outputs: [0; system::OUT_PORT_COUNT as usize],
             fast_inputs: Vec::new(),
             fast_outputs: Vec::new(),
@@ -198,6 +207,32 @@ impl Runtime {
         Ok(())
     }
 
+    /// Puts M functions into groups, as the element MFunctions of the configuration does: pairs of function and
+    /// group. All others are in their fixed group, or in group 14. Holds from the next block on.
+    ///
+    /// # Errors
+    /// The first pair that is out of range or moves a function out of its fixed group; nothing changes then.
+    pub fn set_m_groups(&mut self, groups: &[(u8, u8)]) -> Result<(), GroupError> {
+        self.block.groups = Groups::with(groups)?;
+        Ok(())
+    }
+
+    /// The gears of the spindle, lowest first; M41 to M44 choose one, M40 leaves that to the programmed speed.
+    pub fn set_gears(&mut self, gears: &[Gear]) {
+        self.block.gears = gears.to_vec();
+    }
+
+    /// M01 stops the program like M00.
+    pub fn set_conditional_stop(&mut self, stops: bool) {
+        self.block.conditional_stop = stops;
+    }
+
+    /// Outputs that have a short circuit now, one bit each. The control switches a driven one off and reports it in
+    /// ERRLI_P0OUT …, until the program clears the bit there (manual 9.3).
+    pub fn set_shorted(&mut self, outputs: &OutputImage) {
+        self.shorted = *outputs;
+    }
+
     /// Replaces all break-points; one result for each. A break-point holds the program before its statement.
     pub fn set_breakpoints(&mut self, pcs: &[Pc]) -> Vec<Result<(), BreakpointError>> {
         let results: Vec<_> = pcs.iter().map(|pc| check_breakpoint(&self.program, *pc)).collect();
@@ -208,6 +243,12 @@ impl Runtime {
         self.code.patch(&breakpoints);
         self.debugger.breakpoints = breakpoints;
         results
+    }
+
+    /// Executes operation by operation, as a step does, instead of through the fused equations. Slower, and the
+    /// same in all it does: made for comparing both.
+    pub fn set_line_by_line(&mut self, on: bool) {
+        self.debugger.line_by_line = on;
     }
 
     /// Holds the program at the next statement outside MODULE_FAST and MODULE_CONT.
@@ -281,21 +322,10 @@ impl Runtime {
         (0..self.program.sequences.len()).map(|n| sequence::state(&self.program, &self.machine, n as u16))
     }
 
-    /// A number that two runtimes with equal program, memory, registers and time share.
+    /// A number that two runtimes of the same program share when they go on the same way from here: memory, outputs,
+    /// registers, sequences, blocks, queues and time are in it. What a debugger has set is not.
     pub fn state_hash(&self) -> u64 {
-        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
-        hash.add(self.memory());
-        hash.add(&self.outputs);
-        for ctx in [&self.main, &self.fast, &self.cont] {
-            let Registers { rlo, dr, dr_real, bx, stack, depth } = ctx.regs;
-            hash.add(&[u8::from(rlo), stack, depth]);
-            hash.add(&dr.to_le_bytes());
-            hash.add(&dr_real.to_bits().to_le_bytes());
-            hash.add(&bx.to_le_bytes());
-        }
-        hash.add(&self.machine.millis.to_le_bytes());
-        hash.add(&[self.state as u8]);
-        hash.0
+        state_hash::of(self)
     }
 
     pub(crate) fn sequence_of_kind(&self, kind: SequenceKind) -> Option<u16> {
@@ -310,29 +340,19 @@ impl Runtime {
         }
     }
 
-    fn focused(&self) -> &Context {
-        match self.debugger.focus {
+    pub(crate) fn line(&self, line: Line) -> &Context {
+        match line {
             Line::Main => &self.main,
             Line::Fast => &self.fast,
             Line::Cont => &self.cont,
         }
     }
 
+    fn focused(&self) -> &Context {
+        self.line(self.debugger.focus)
+    }
+
     fn focused_mut(&mut self) -> &mut Context {
         self.context(self.debugger.focus)
-    }
-}
-
-/// 64-bit FNV-1a over eight bytes at a time.
-struct Fnv(u64);
-
-impl Fnv {
-    fn add(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.0 = (self.0 ^ u64::from_le_bytes(word)).wrapping_mul(0x0000_0100_0000_01B3);
-            self.0 ^= self.0 >> 32;
-        }
     }
 }

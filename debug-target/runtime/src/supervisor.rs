@@ -3,20 +3,33 @@
 use alloc::vec::Vec;
 use core::cell::RefCell;
 
+use technol_image::op::Op;
 use technol_image::program::{ModuleKind, RegionKind, SequenceKind};
 use technol_image::system;
 
 use crate::block::{QUEUE_LEN, Rejection, Stage};
 use crate::code::{is_stoppable, module_of};
 use crate::context::{Context, Root};
+use crate::control::{Control, ControlMessage, NoControl, Rate};
 use crate::debugger::{Line, StopReason, module_and_file};
 use crate::event::{Command, PlcState, RateKind, RuntimeEvent};
-use crate::execute::{Exit, run, run_watched};
+use crate::execute::{Exit, World, run, run_watched};
 use crate::fault::{Fault, FaultKind};
 use crate::plan::{Job, PlanKind};
 use crate::ports::{self, InputImage};
 use crate::runtime::{Position, Runtime, TickOutcome};
 use crate::sequence;
+
+/// Messages the control may report by itself in a cycle; the others wait for the next.
+const MESSAGES_PER_CYCLE: usize = 16;
+/// A call of an event procedure that waits for its cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlcEvent {
+    /// `_ON_EVENT` with this code.
+    Event(i64),
+    /// `_ON_CMD` with code and key.
+    Command { code: i32, pressed: bool },
+}
 
 /// How far a job came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,21 +43,34 @@ impl Runtime {
     /// One millisecond of the PLC: MODULE_FAST, and in every 20th the 20 ms cycle. When the debugger stops
     /// in the middle, later calls execute only MODULE_CONT until [`resume`](Runtime::resume); the call after
     /// that finishes the millisecond. Events are appended in the order they happen.
+    ///
+    /// There is no control: an instruction that needs one is a fault.
     pub fn tick(&mut self, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) -> TickOutcome {
+        self.tick_with(inputs, &mut NoControl, events)
+    }
+
+    /// As [`tick`](Runtime::tick), with a control around the program.
+    pub fn tick_with(
+        &mut self,
+        inputs: &InputImage,
+        control: &mut dyn Control,
+        events: &mut Vec<RuntimeEvent>,
+    ) -> TickOutcome {
+        let world = &mut World { control, events };
         self.drop_held_tick_for_a_start();
         if self.debugger.stop.is_some() {
-            self.hold(inputs, events);
+            self.hold(inputs, world);
             return TickOutcome::Stopped;
         }
         if self.position.is_none() {
-            self.position = self.next_plan(events).map(at_start);
+            self.position = self.next_plan(world).map(at_start);
         }
         while let Some(position) = self.position {
             let Some(job) = self.plans.job(position.plan, position.step) else {
-                self.position = self.finish_plan(position.plan, events).map(at_start);
+                self.position = self.finish_plan(position.plan, world.events).map(at_start);
                 continue;
             };
-            if self.perform(job, inputs, events) == Progress::Stopped {
+            if self.perform(job, inputs, world) == Progress::Stopped {
                 return TickOutcome::Stopped;
             }
             self.position = Some(Position { step: position.step + 1, entered: false, ..position });
@@ -67,19 +93,21 @@ impl Runtime {
     }
 
     /// Acts on commands until one of them needs a plan; else the millisecond of a running PLC.
-    fn next_plan(&mut self, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+    fn next_plan(&mut self, world: &mut World<'_>) -> Option<PlanKind> {
         while let Some(command) = self.commands.pop_front() {
-            if let Some(plan) = self.act(command, events) {
+            if let Some(plan) = self.act(command, world) {
                 return Some(plan);
             }
         }
         self.state.is_cycling().then_some(PlanKind::Fast)
     }
 
-    fn act(&mut self, command: Command, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+    fn act(&mut self, command: Command, world: &mut World<'_>) -> Option<PlanKind> {
+        let events = &mut *world.events;
         match command {
             Command::StartPlc { cold } => {
                 self.start(cold, events);
+                world.control.start(cold);
                 return Some(PlanKind::Init);
             }
             Command::StopPlc { power_off } => {
@@ -103,15 +131,26 @@ impl Runtime {
                 };
                 if let Err(rejection) = accepted {
                     events.push(RuntimeEvent::BlockRejected(rejection));
+                } else if self.block.request_start(&mut self.machine.memory) {
+                    self.queue_event(system::event::START_REQ);
                 }
             }
-            Command::ContinueBlock => self.block.restart(&mut self.machine.memory),
+            Command::ContinueBlock => {
+                if self.block.request_restart(&mut self.machine.memory) {
+                    self.queue_event(system::event::START_REQ);
+                }
+            }
+            Command::StopBlock { emergency } => {
+                let request = if emergency { system::STOP_EMERGENCY_REQ } else { system::STOP_REQ };
+                self.machine.memory.set_flag(request, self.state.is_cycling());
+            }
             Command::AbortBlock => {
                 self.machine.memory.set_flag(system::AUTPI, false);
                 self.machine.memory.set_flag(system::CAPI, true);
                 self.abort_block(events);
             }
             Command::Event(code) => self.queue_event(code),
+            Command::PlcCommand { code, pressed } => self.queue_call(PlcEvent::Command { code, pressed }),
         }
         None
     }
@@ -180,7 +219,7 @@ impl Runtime {
         self.machine.done_seen = 0;
         self.machine.state_since.fill(0);
         self.plc_events.clear();
-        (self.main, self.fast, self.cont) = (Context::new(), Context::new(), Context::new());
+        [&mut self.main, &mut self.fast, &mut self.cont].into_iter().for_each(Context::reset);
         self.outputs.fill(0);
         self.spent = 0;
         self.fault = None;
@@ -213,7 +252,7 @@ impl Runtime {
     }
 
     /// MODULE_CONT goes on while the rest is held.
-    fn hold(&mut self, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) {
+    fn hold(&mut self, inputs: &InputImage, world: &mut World<'_>) {
         let starting = self.position.is_some_and(|p| p.plan == PlanKind::Init);
         self.debugger.held_millis += 1;
         if !self.state.is_cycling() || starting || !self.debugger.held_millis.is_multiple_of(20) {
@@ -223,7 +262,7 @@ impl Runtime {
         let spent = self.spent;
         let mut step = 0;
         while let Some(job) = self.plans.job(PlanKind::Held, step) {
-            if self.perform(job, inputs, events) == Progress::Stopped {
+            if self.perform(job, inputs, world) == Progress::Stopped {
                 return;
             }
             step += 1;
@@ -233,34 +272,46 @@ impl Runtime {
         self.spent = spent;
     }
 
-    fn perform(&mut self, job: Job, inputs: &InputImage, events: &mut Vec<RuntimeEvent>) -> Progress {
+    fn perform(&mut self, job: Job, inputs: &InputImage, world: &mut World<'_>) -> Progress {
         let memory = &mut self.machine.memory;
+        let millis = self.machine.millis;
         match job {
-            Job::Inputs => ports::copy_inputs(memory, inputs),
-            Job::Outputs => ports::copy_outputs(memory, &mut self.outputs),
+            Job::Inputs => {
+                ports::copy_inputs(memory, inputs);
+                world.control.inputs(Rate::Slow, millis, memory.bytes_mut());
+            }
+            Job::Outputs => {
+                world.control.outputs(Rate::Slow, millis, memory.bytes_mut());
+                ports::copy_outputs(memory, &mut self.outputs, &self.shorted);
+                self.take_messages(world);
+            }
             Job::FastInputs => {
                 for port in &self.fast_inputs {
                     ports::copy_input(memory, inputs, *port);
                 }
+                world.control.inputs(Rate::Fast, millis, memory.bytes_mut());
             }
             Job::FastOutputs => {
+                world.control.outputs(Rate::Fast, millis, memory.bytes_mut());
                 for port in &self.fast_outputs {
-                    ports::copy_output(memory, &mut self.outputs, *port);
+                    ports::copy_output(memory, &mut self.outputs, &self.shorted, *port);
                 }
             }
-            Job::Module(index) => return self.run_module(index, events),
-            Job::Block => return self.run_block(events),
-            Job::Events => return self.run_events(events),
+            Job::FastestInputs => world.control.inputs(Rate::Fastest, millis, memory.bytes_mut()),
+            Job::FastestOutputs => world.control.outputs(Rate::Fastest, millis, memory.bytes_mut()),
+            Job::Module(index) => return self.run_module(index, world),
+            Job::Block => return self.run_block(world),
+            Job::Events => return self.run_events(world),
             Job::StopRequests => self.take_stop_request(),
         }
         Progress::Done
     }
 
-    fn run_module(&mut self, index: usize, events: &mut Vec<RuntimeEvent>) -> Progress {
+    fn run_module(&mut self, index: usize, world: &mut World<'_>) -> Progress {
         let module = self.program.modules[index];
         let dr = matches!(module.kind, ModuleKind::Init | ModuleKind::Done).then_some(self.entry_dr);
         self.enter(Line::of(module.kind), Root::Module(index), module.start, dr);
-        self.execute(Line::of(module.kind), is_stoppable(module.kind), events)
+        self.execute(Line::of(module.kind), is_stoppable(module.kind), world)
     }
 
     /// Begins the pass of this step unless it has begun already.
@@ -276,7 +327,7 @@ impl Runtime {
     }
 
     /// Executes until the pass is over or held.
-    fn execute(&mut self, line: Line, stoppable: bool, events: &mut Vec<RuntimeEvent>) -> Progress {
+    fn execute(&mut self, line: Line, stoppable: bool, world: &mut World<'_>) -> Progress {
         let Runtime { program, code, machine, debugger, main, fast, cont, coverage, .. } = self;
         let ctx = match line {
             Line::Main => main,
@@ -292,12 +343,14 @@ impl Runtime {
                 counted.borrow_mut().hit(ctx.pc);
                 reason
             };
-            run_watched(program, code, machine, ctx, events, &watch)
-        } else if stoppable && debugger.is_watching() {
-            let watch = |machine: &_, ctx: &_| debugger.reason_to_stop(program, code, machine, ctx);
-            run_watched(program, code, machine, ctx, events, &watch)
+            run_watched(program, code, machine, ctx, world, &watch)
+        } else if debugger.is_watching(stoppable) {
+            let watch = |machine: &_, ctx: &_| {
+                if stoppable { debugger.reason_to_stop(program, code, machine, ctx) } else { None }
+            };
+            run_watched(program, code, machine, ctx, world, &watch)
         } else {
-            run(program, code, machine, ctx, events, stoppable)
+            run(program, code, machine, ctx, world, stoppable)
         };
         match exit {
             Exit::End => {
@@ -312,15 +365,15 @@ impl Runtime {
                 Progress::Stopped
             }
             Exit::Fault(kind) => {
-                self.enter_faulted(kind, line, events);
+                self.enter_faulted(kind, line, world.events);
                 Progress::Stopped
             }
         }
     }
 
     fn enter_faulted(&mut self, kind: FaultKind, line: Line, events: &mut Vec<RuntimeEvent>) {
-        let ctx = self.context(line).clone();
-        let (module, file) = module_and_file(&self.program, &ctx);
+        let ctx = self.line(line);
+        let (module, file) = module_and_file(&self.program, ctx);
         let sequence = self.code.sequence_of(ctx.outermost());
         let fault = Fault { kind, pc: ctx.pc, sequence, module, file, cycle: self.cycle() };
         self.fault = Some(fault);
@@ -332,18 +385,21 @@ impl Runtime {
     }
 
     /// Block cycle: as far as it comes in this cycle.
-    fn run_block(&mut self, events: &mut Vec<RuntimeEvent>) -> Progress {
+    fn run_block(&mut self, world: &mut World<'_>) -> Progress {
+        if self.block.take_start(&mut self.machine.memory) {
+            self.queue_event(system::event::START);
+        }
         loop {
             match self.block.stage {
                 Stage::Idle => {
                     if !self.block.begin(&mut self.machine.memory) {
                         return Progress::Done;
                     }
-                    events.push(RuntimeEvent::BlockStarted { cycle: self.cycle() });
+                    world.events.push(RuntimeEvent::BlockStarted { cycle: self.cycle() });
                     self.activate(SequenceKind::BlockInit);
                 }
                 Stage::Preparing => {
-                    if self.run_block_module(ModuleKind::BlockInit, events) == Progress::Stopped {
+                    if self.run_block_module(ModuleKind::BlockInit, world) == Progress::Stopped {
                         return Progress::Stopped;
                     }
                     if self.is_active(SequenceKind::BlockInit) {
@@ -359,12 +415,14 @@ impl Runtime {
                     self.activate(SequenceKind::BlockDone);
                 }
                 Stage::Closing => {
-                    if self.run_block_module(ModuleKind::BlockDone, events) == Progress::Stopped {
+                    if self.run_block_module(ModuleKind::BlockDone, world) == Progress::Stopped {
                         return Progress::Stopped;
                     }
                     if !self.is_active(SequenceKind::BlockDone) {
-                        self.block.end(&mut self.machine.memory);
-                        events.push(RuntimeEvent::BlockFinished { cycle: self.cycle() });
+                        if self.block.finish(&mut self.machine.memory) {
+                            self.queue_event(system::event::STOP);
+                        }
+                        world.events.push(RuntimeEvent::BlockFinished { cycle: self.cycle() });
                     }
                     return Progress::Done;
                 }
@@ -372,9 +430,9 @@ impl Runtime {
         }
     }
 
-    fn run_block_module(&mut self, kind: ModuleKind, events: &mut Vec<RuntimeEvent>) -> Progress {
+    fn run_block_module(&mut self, kind: ModuleKind, world: &mut World<'_>) -> Progress {
         match self.program.modules.iter().position(|m| m.kind == kind) {
-            Some(index) => self.run_module(index, events),
+            Some(index) => self.run_module(index, world),
             None => Progress::Done,
         }
     }
@@ -399,9 +457,7 @@ impl Runtime {
 
     /// Breaks the block in progress, rewinds the block modules and forgets queued blocks.
     fn abort_block(&mut self, events: &mut Vec<RuntimeEvent>) {
-        self.block.queue.clear();
-        self.machine.memory.set_word(system::CNT_NEXT_BLOCKS, 0);
-        if self.block.stage == Stage::Idle {
+        if !self.block.abort(&mut self.machine.memory) {
             return;
         }
         for kind in [SequenceKind::BlockInit, SequenceKind::BlockDone] {
@@ -409,7 +465,6 @@ impl Runtime {
                 sequence::rest(&self.program, &mut self.machine, number);
             }
         }
-        self.block.end(&mut self.machine.memory);
         events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
     }
 
@@ -422,24 +477,54 @@ impl Runtime {
         }
     }
 
-    /// Events nobody handles are dropped, and so is one beyond the bound.
     fn queue_event(&mut self, code: i64) {
-        if self.code.on_event.is_some() && self.plc_events.len() < QUEUE_LEN {
-            self.plc_events.push_back(code);
+        self.queue_call(PlcEvent::Event(code));
+    }
+
+    /// Events nobody handles are dropped, and so is one beyond the bound.
+    fn queue_call(&mut self, event: PlcEvent) {
+        if self.handler(event).is_some() && self.plc_events.len() < QUEUE_LEN {
+            self.plc_events.push_back(event);
         }
     }
 
-    fn run_events(&mut self, events: &mut Vec<RuntimeEvent>) -> Progress {
-        let Some(procedure) = self.code.on_event else { return Progress::Done };
-        let start = self.program.procedures[usize::from(procedure)].start;
+    fn handler(&self, event: PlcEvent) -> Option<u16> {
+        match event {
+            PlcEvent::Event(_) => self.code.on_event,
+            PlcEvent::Command { .. } => self.code.on_cmd,
+        }
+    }
+
+    fn run_events(&mut self, world: &mut World<'_>) -> Progress {
         loop {
             if !self.position.is_some_and(|p| p.entered) {
-                let Some(code) = self.plc_events.pop_front() else { return Progress::Done };
-                self.enter(Line::Main, Root::Procedure, start, Some(code));
+                let Some(event) = self.plc_events.pop_front() else { return Progress::Done };
+                let Some(procedure) = self.handler(event) else { continue };
+                let start = self.program.procedures[usize::from(procedure)].start;
+                let dr = match event {
+                    PlcEvent::Event(code) => code,
+                    PlcEvent::Command { code, .. } => i64::from(code),
+                };
+                self.enter(Line::Main, Root::Procedure, start, Some(dr));
+                if let PlcEvent::Command { pressed, .. } = event {
+                    self.main.regs.rlo = pressed;
+                }
             }
-            if self.execute(Line::Main, true, events) == Progress::Stopped {
+            if self.execute(Line::Main, true, world) == Progress::Stopped {
                 return Progress::Stopped;
             }
+        }
+    }
+
+    /// Tells what the control reports by itself.
+    fn take_messages(&self, world: &mut World<'_>) {
+        for _ in 0..MESSAGES_PER_CYCLE {
+            let Some(message) = world.control.next_message() else { return };
+            let ControlMessage { call, number, sub_id, set, parameters } = message;
+            let at = self.program.code.iter().position(|op| *op == Op::Service(call));
+            let pc = at.map_or(0, |pc| pc as u32);
+            let cycle = self.cycle();
+            world.events.push(RuntimeEvent::Message { cycle, number, sub_id, set, parameters, pc });
         }
     }
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use technol_image::Program;
 use technol_image::op::{Addr, Arith, BitRef, DrTest, Op, Pc, Place, STACK_DEPTH, Source, Width};
 use technol_image::program::{Message, RegionKind, SequenceKind, Timed};
+use technol_image::service::{Arg, ServiceCall};
 use technol_image::system;
 
 use crate::code::{ends_flow, sequence_table};
@@ -35,6 +36,9 @@ pub(crate) fn validate(program: &Program) -> Checked {
     for (n, message) in program.messages.iter().enumerate() {
         check.message(message).map_err(|reason| LoadError::new(LoadItem::Message(n), reason))?;
     }
+    for (n, call) in program.services.iter().enumerate() {
+        check.service(call).map_err(|reason| LoadError::new(LoadItem::Service(n), reason))?;
+    }
     for (n, data) in program.initial.iter().enumerate() {
         check.range(data.addr, data.bytes.len()).map_err(|r| LoadError::new(LoadItem::Initial(n), r))?;
     }
@@ -54,7 +58,7 @@ fn regions(program: &Program) -> Checked {
         };
     }
     match program.region(RegionKind::System) {
-        Some(system) if system.start == 0 && system.len >= system::FREE => Ok(()),
+        Some(system) if system.start == 0 && system.len >= system::SUPERVISOR_END => Ok(()),
         _ => Err(LoadError::new(LoadItem::Program, "the system region is missing, moved or too short")),
     }
 }
@@ -202,8 +206,15 @@ impl<'a> Checker<'a> {
             Op::Message { index, .. } => {
                 require(usize::from(index) < self.program.messages.len(), "unknown message parameters")
             }
+            Op::Service(n) => {
+                require(usize::from(n) < self.program.services.len(), "unknown parameters of a call")
+            }
             Op::InitFinished(file) | Op::DoneFinished(file) => {
                 require(file < MAX_FILES, "file number above 63")
+            }
+            Op::SelectBlock { offset, len } => {
+                let inside = u32::from(offset) + u32::from(len) <= system::block_record::LEN;
+                require(inside && (1..=8).contains(&len), "outside the record of a block")
             }
         }
     }
@@ -226,6 +237,18 @@ impl<'a> Checker<'a> {
         let values = message.parameters.iter().chain([&message.number, &message.sub_id]);
         for (source, width) in values.copied().flatten() {
             self.integer_source(source, width)?;
+        }
+        Ok(())
+    }
+
+    fn service(&self, call: &ServiceCall) -> Reason {
+        for arg in &call.args {
+            match *arg {
+                Arg::Cell { place, width, .. } => self.place(place, width.bytes())?,
+                Arg::Bit { bit, .. } => self.bit(bit)?,
+                Arg::Area { place, len } => self.place(place, len)?,
+                Arg::Missing | Arg::Int(_) | Arg::Real(_) | Arg::Text(_) | Arg::Keyword(_) => {}
+            }
         }
         Ok(())
     }

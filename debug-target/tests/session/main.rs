@@ -34,16 +34,16 @@ fn options(clock: Clock) -> TargetOptions {
     });
     machine.key.push(technol_machine::config::Key {
         name: "start".into(),
-        input: "P2IN.0".into(),
+        input: Some("P2IN.0".into()),
+        command: None,
         invert: false,
     });
     machine.fault.push(technol_machine::config::Fault {
         name: "feedback dead".into(),
         input: Some("P1IN.0".into()),
         stuck: Some(false),
-        output: None,
-        broken: None,
         active: false,
+        ..technol_machine::config::Fault::default()
     });
     TargetOptions { clock, machine: Some(machine), ..TargetOptions::default() }
 }

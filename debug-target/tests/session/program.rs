@@ -56,6 +56,7 @@ pub(crate) fn counter() -> Program {
         sequences: vec![],
         timed: vec![],
         messages: vec![message],
+        services: Vec::new(),
         procedures: vec![],
         initial: vec![technol_image::program::InitialData { addr: DIVISOR.addr, bytes: vec![1, 0] }],
         init_finished: vec![],

@@ -368,6 +368,8 @@ pub enum FaultKind {
     UnexpectedEnd,
     /// The continuation cell of a sequence names no EX-type instruction.
     BadContinuation,
+    /// An instruction that the control of the target does not carry out.
+    NoService,
 }
 
 /// What the target is doing.

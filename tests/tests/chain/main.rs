@@ -5,10 +5,14 @@ mod frame;
 
 mod arithmetic;
 mod bits;
+mod blocks;
 mod comparisons;
 mod data;
+mod interface;
 mod lathe;
 mod macros;
 mod mechanisms;
+mod messages;
 mod plc;
+mod texts;
 mod time;

@@ -4,6 +4,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
+use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::Simulation;
 
 use crate::frame;
@@ -23,6 +24,10 @@ Q2: DS 8
 R1: DS 8
 R2: DS 8
 AREA: DS 16
+LONG: STR 8,'abcdefgh'
+MIDDLE: STR 8,'abcde'
+SHORT: STR 3,'cde'
+BEHIND: STR 1,'w'
 EQUI FIVE,5";
 
 /// Line of the first of the lines given to [`Plc::of`].
@@ -64,14 +69,40 @@ pub(crate) struct Plc {
 impl Plc {
     /// A program of these lines of MODULE_MAIN, past MODULE_INIT.
     pub(crate) fn of(lines: &str) -> Plc {
-        let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
-        let source = frame::program(DATA, &main.join("\n"), "");
+        Plc::with_init("", lines)
+    }
+
+    /// A program of these lines of MODULE_INIT and MODULE_MAIN, past MODULE_INIT.
+    pub(crate) fn with_init(init: &str, main: &str) -> Plc {
+        let lines = |text: &str| -> Vec<String> {
+            text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
+        };
+        Plc::from_source(frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n")))
+    }
+
+    /// A program of this text, past MODULE_INIT.
+    pub(crate) fn from_source(source: String) -> Plc {
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
         let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
+    }
+
+    /// What happens in so many cycles.
+    pub(crate) fn events(&mut self, cycles: u32) -> Vec<technol_runtime::RuntimeEvent> {
+        let mut events = Vec::new();
+        for _ in 0..cycles {
+            self.simulation.cycle(&mut events);
+        }
+        events
+    }
+
+    /// Starts the PLC again, past MODULE_INIT.
+    pub(crate) fn restart(&mut self) {
+        self.simulation.start(false);
+        self.simulation.tick(&mut Vec::new());
     }
 
     pub(crate) fn run(&mut self, cycles: u32) {
@@ -83,6 +114,21 @@ impl Plc {
     /// Why the program was stopped.
     pub(crate) fn fault(&self) -> Option<String> {
         self.simulation.runtime().fault().map(|fault| fault.kind.to_string())
+    }
+
+    /// Something the control does.
+    pub(crate) fn command(&mut self, command: Command) {
+        self.simulation.runtime_mut().command(command);
+    }
+
+    /// The PLC itself.
+    pub(crate) fn runtime(&mut self) -> &mut Runtime {
+        self.simulation.runtime_mut()
+    }
+
+    /// Input ports.
+    pub(crate) fn inputs(&mut self) -> &mut InputImage {
+        self.simulation.inputs_mut()
     }
 
     fn registers(&self) -> RegisterValues {

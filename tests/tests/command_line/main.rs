@@ -11,6 +11,7 @@ mod build;
 mod check;
 mod demo;
 mod explain;
+mod explain_machine;
 mod fmt;
 mod ran;
 mod run;

@@ -223,7 +223,7 @@ pub(super) fn list(symbols: &mut Vec<SystemSymbol>) -> u32 {
 mod tests {
     use std::collections::HashSet;
 
-    use crate::catalogue::{SystemKind, block_member, block_members, block_record_len, symbol};
+    use crate::catalogue::{SystemKind, SystemSymbol, block_member, block_members, block_record_len, symbol};
 
     #[test]
     fn a_block_has_its_change_bits_numbers_and_reals() {
@@ -257,6 +257,81 @@ mod tests {
             }
         }
         assert!(bits.iter().all(|(addr, _)| *addr < block_record_len()));
+    }
+
+    #[test]
+    fn members_lie_where_the_target_writes_them() {
+        use technol_image::system::{SUPERVISOR_END, block_record as record};
+        let at = |name: &str| match block_member(name).unwrap().kind {
+            SystemKind::Bit { addr, bit } => (addr, u32::from(bit)),
+            SystemKind::Cell { addr, .. } | SystemKind::Array { addr, .. } => (addr, 0),
+            other => panic!("{name}: {other:?}"),
+        };
+        for (name, offset) in [
+            ("M0", record::M_CHANGED),
+            ("AxNC0Move", record::AXES_MOVE),
+            ("IPlc0", record::INTEGERS_CHANGED),
+            ("RPlc0", record::REALS_CHANGED),
+            ("M", record::M),
+            ("IPlcParams", record::INTEGERS),
+            ("AxG", record::GEOMETRIC_AXES),
+            ("T", record::T),
+            ("H", record::H),
+            ("RPlcParams", record::REALS),
+            ("Delay", record::DELAY),
+            ("AxNC", record::AXES),
+        ] {
+            assert_eq!(at(name), (offset, 0), "{name}");
+        }
+        let flags = [
+            "FirstBlock",
+            "LastBlock",
+            "Stop",
+            "CondStop",
+            "Backward",
+            "SelBlock",
+            "Cont",
+            "TchlOff",
+            "Partial",
+            "HProg",
+            "TProg",
+            "RevFeed",
+            "ContinuousMode",
+            "ConstCutSpeed",
+        ];
+        for (n, name) in (record::FIRST_FLAG..).zip(flags) {
+            assert_eq!(at(name), (record::REALS_CHANGED + n / 8, n % 8), "{name}");
+        }
+        let reals = [
+            "BlockLen",
+            "Scale",
+            "FeedProgr",
+            "FeedMax",
+            "FeedCriterial",
+            "ParabAccel",
+            "LinearAccel",
+            "SpindleSpeed",
+            "SpindleSpeedLimit",
+            "ConstCuttingSpeed",
+        ];
+        for (n, name) in (0..).zip(reals) {
+            assert_eq!(at(name), (record::BLOCK_LEN + 8 * n, 0), "{name}");
+        }
+        assert_eq!(block_record_len(), record::LEN);
+        let bits = |member: &&SystemSymbol| matches!(member.kind, SystemKind::Bit { .. });
+        assert!(block_members().filter(bits).all(|member| at(member.name).0 < record::BITS_LEN));
+        assert!(SUPERVISOR_END <= technol_image::system::LEN);
+    }
+
+    #[test]
+    fn predefined_symbols_end_before_the_records_of_the_blocks() {
+        use technol_image::system::BLOCK_RECORDS;
+        let end = |symbol: &SystemSymbol| match symbol.kind {
+            SystemKind::Bit { addr, .. } => addr + 1,
+            kind => kind.bytes().map_or(0, |(addr, len)| addr + len),
+        };
+        let last = crate::catalogue::symbols().map(end).max().unwrap();
+        assert!(last <= BLOCK_RECORDS, "{last:#x}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Reading a step.
 
 use technol_analysis::expression::{Assignment, nearest, resolve};
-use technol_machine::{BlockMode, BlockStart};
+use technol_machine::{BlockExtra, BlockMode, BlockStart};
 use toml::de::{DeTable, DeValue};
 
 use super::super::condition::{Condition, Mistake, Side};
@@ -302,6 +302,7 @@ fn block(table: &DeTable<'_>, source: &mut Source<'_>) -> BlockStart {
         motion_ms: motion_ms.unwrap_or(0) as u32,
         rapid: rapid.unwrap_or(false),
         mode: mode.unwrap_or_default(),
+        extra: BlockExtra::default(),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The block cycle: functions, BLOCK_INIT, movement, BLOCK_DONE, stops (manual 5.2, 8.1, 8.2).
 
-use technol_image::op::{BitRef, Cond, Op, Width};
+use technol_image::op::{Arith, BitRef, Cond, Op, Source, Width};
 use technol_image::program::ModuleKind;
 use technol_image::system::{self, PB00};
-use technol_runtime::{Block, BlockMode, Command, Rejection, RuntimeEvent};
+use technol_runtime::{Block, BlockMode, BlockReal, Command, Gear, Prepared, Rejection, RuntimeEvent};
 
-use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, ldr, set, sto};
+use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, indexed, ldr, mem, set, sto};
 
 const READY: BitRef = bit(A, 0);
 const STOP: BitRef = system::STOPPI;
@@ -197,6 +197,7 @@ fn numbers_and_mode_are_in_their_cells() {
         motion_ms: 0,
         rapid: true,
         mode: BlockMode::Reference,
+        prepared: None,
     }));
     bench.cycles(1);
     let cells = [7, 8, 9, 10].map(|n| bench.byte(PB00 + n));
@@ -211,15 +212,156 @@ fn numbers_and_mode_are_in_their_cells() {
 
 #[test]
 fn start_waits_while_the_plc_forbids_it() {
-    for forbids in [system::START_DISABLE, system::START_SUSPEND] {
+    let mut bench = machine();
+    bench.set(system::START_DISABLE, true);
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(3);
+    assert!(block_events(&bench).is_empty());
+    bench.set(system::START_DISABLE, false);
+    bench.cycles(1);
+    assert_eq!(block_events(&bench).len(), 2);
+}
+
+/// `_ON_EVENT` suspends every start, and remembers the codes it was called with at A, A+2 … (A+16: how many bytes).
+fn suspends() -> Bench {
+    use technol_image::op::Compare;
+    let mut b = Builder::new();
+    b.block_module(ModuleKind::BlockInit, |b| b.ops([]));
+    b.block_module(ModuleKind::BlockDone, |b| b.ops([]));
+    b.module(ModuleKind::Main, 0, |b| b.ops([]));
+    let load = |addr| Op::Load { src: mem(addr), width: Width::Word, neg: false };
+    let add = Op::Arith { op: Arith::Add, src: Source::Int(2), width: Width::Word };
+    b.procedure(
+        "_ON_EVENT",
+        [
+            sto(A + 18, Width::Word),
+            Op::Compare { op: Compare::Eq, src: Source::Int(5), width: Width::DWord, if_rlo: false },
+            Op::Flag { value: true, bit: system::START_SUSPEND, cond: Cond::IfRlo },
+            load(A + 16),
+            Op::IndexFromDr,
+            add,
+            sto(A + 16, Width::Word),
+            load(A + 18),
+            Op::Store { dst: indexed(A), width: Width::Word, cond: Cond::Always },
+        ],
+    );
+    b.load().started()
+}
+
+fn codes(bench: &Bench) -> Vec<u16> {
+    (0..u32::from(bench.word(A + 16)) / 2).map(|n| bench.word(A + 2 * n)).collect()
+}
+
+#[test]
+fn a_start_asks_first_and_goes_on_when_the_plc_lets_it() {
+    let mut bench = suspends();
+    bench.set(system::START_SUSPEND, true); // preset to 0 when a start begins
+    bench.command(Command::StartBlock(block(&[], 60)));
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(3);
+    assert_eq!((codes(&bench), block_events(&bench)), (vec![5], vec![]));
+    bench.set(system::START_SUSPEND, false);
+    bench.cycles(2);
+    assert_eq!((codes(&bench), block_events(&bench)), (vec![5, 4], vec![("started", 3)]));
+    bench.cycles(3);
+    assert_eq!(codes(&bench), [5, 4], "the next block of a program is no start");
+    assert_eq!(block_events(&bench)[1..], [("finished", 6), ("started", 7), ("finished", 7)]);
+}
+
+#[test]
+fn a_stopped_block_goes_on_by_a_start_of_its_own() {
+    let mut bench = suspends();
+    bench.command(Command::StartBlock(block(&[], 100)));
+    bench.cycles(1);
+    bench.set(system::START_SUSPEND, false);
+    bench.cycles(1);
+    bench.set(system::STOP_REQ, true);
+    bench.cycles(2);
+    bench.command(Command::ContinueBlock);
+    bench.cycles(5);
+    assert_eq!(codes(&bench), [5, 4, 1, 3, 5], "suspended again");
+    assert!(bench.bit(system::PO_STOP) && !bench.bit(system::BLOCK_RESTART));
+    bench.set(system::START_SUSPEND, false);
+    bench.cycles(2);
+    assert!(!bench.bit(system::PO_STOP) && bench.bit(system::BLOCK_RESTART));
+    assert_eq!(codes(&bench), [5, 4, 1, 3, 5, 4]);
+}
+
+#[test]
+fn a_programmed_stop_holds_the_blocks_behind_it_until_the_next_start() {
+    for (m, conditional, stops) in [(0, false, true), (1, false, false), (1, true, true)] {
         let mut bench = machine();
-        bench.set(forbids, true);
+        bench.plc.set_conditional_stop(conditional);
+        bench.command(Command::StartBlock(block(&[m], 0)));
         bench.command(Command::StartBlock(block(&[], 0)));
-        bench.cycles(3);
-        assert!(block_events(&bench).is_empty());
-        bench.set(forbids, false);
+        bench.cycles(5);
+        assert_eq!(bench.bit(system::PO_STOP), stops, "M{m:02}");
+        assert_eq!(block_events(&bench).len(), if stops { 2 } else { 4 }, "M{m:02}");
+        bench.command(Command::ContinueBlock);
+        bench.cycles(2);
+        assert_eq!(block_events(&bench).len(), 4, "M{m:02}");
+        assert!(!bench.bit(system::PO_STOP));
+    }
+}
+
+#[test]
+fn groups_of_the_configuration_have_their_cells_and_bits() {
+    let mut bench = machine();
+    bench.plc.set_m_groups(&[(91, 10), (92, 11), (93, 12), (94, 13), (95, 4), (96, 2), (6, 9)]).unwrap();
+    bench.command(Command::StartBlock(block(&[3, 10], 0)));
+    bench.cycles(1);
+    assert!(bench.bit(system::M03PI));
+    bench.set(READY, true);
+    bench.cycles(1);
+    bench.set(READY, false);
+    bench.command(Command::StartBlock(block(&[91, 92, 93, 94, 95, 96, 97, 10], 0)));
+    bench.cycles(1);
+    let cells = [3, 13, 14, 15, 6, 16].map(|n| bench.byte(PB00 + n));
+    assert_eq!(cells, [0x91, 0x92, 0x93, 0x94, 0x96, 0x97]);
+    assert_eq!(change_bits(&bench), [2, 4, 7, 10, 11, 12, 13, 14]);
+    assert!(!bench.bit(system::M03PI), "another function of the group");
+    let error = |groups: &[(u8, u8)]| machine().plc.set_m_groups(groups).unwrap_err().to_string();
+    assert_eq!(error(&[(90, 10), (3, 4)]), "M03 belongs to group 2 and cannot be moved");
+    assert_eq!(error(&[(90, 15)]), "there is no group 15; M functions have groups 1 to 14");
+    assert_eq!(error(&[(100, 14)]), "there is no M100; M functions go from 0 to 99");
+}
+
+#[test]
+fn the_automatic_gear_follows_the_programmed_speed() {
+    let gears = [(100, 0x7FFF), (400, 0x7FFF), (800, 26_869)];
+    let gears = gears.map(|(max_speed, max_output)| Gear { max_speed, max_output });
+    let mut bench = machine();
+    bench.plc.set_gears(&gears);
+    bench.set(READY, true);
+    // M function, speed; gear bits and whether they changed, spindle value.
+    let rows: [(&[u8], Option<f64>, u8, bool, u16); 7] = [
+        (&[40], None, 0, true, 0), // no speed yet
+        (&[], Some(100.0), 1, true, 0x7FFF),
+        (&[], Some(50.0), 1, false, 0x3FFF),
+        (&[], Some(630.0), 4, true, 21_159),
+        (&[], Some(2000.0), 4, false, 26_869),
+        (&[42], Some(200.0), 2, true, 0x3FFF),
+        (&[], Some(90.0), 2, false, 7372), // M42 stays
+    ];
+    for (m, speed, gear, changed, value) in rows {
+        let mut prepared = Prepared::default();
+        if let Some(speed) = speed {
+            prepared.set(BlockReal::SpindleSpeed, speed);
+        }
+        let prepared = Some(Box::new(prepared));
+        bench.command(Command::StartBlock(Block {
+            m: m.into(),
+            motion_ms: 100,
+            prepared,
+            ..Block::default()
+        }));
         bench.cycles(1);
-        assert_eq!(block_events(&bench).len(), 2);
+        let row = format!("{m:?} {speed:?}");
+        assert_eq!(bench.byte(system::M41PI.addr) >> system::M41PI.bit & 0xF, gear, "{row}");
+        assert_eq!(change_bits(&bench).contains(&3), changed, "{row}");
+        assert_eq!(bench.word(PB00 + 11), value, "{row}");
+        assert_eq!(bench.bit(system::ZMSSPI), speed.is_some(), "{row}");
+        bench.cycles(6);
     }
 }
 
@@ -239,7 +381,7 @@ fn stop_request_holds_the_movement_until_the_next_start() {
         bench.cycles(50);
         assert_eq!(block_events(&bench), [("started", 0)]);
         let codes = [bench.word(A + 16), bench.word(A + 8)];
-        assert_eq!((bench.word(A + 12), codes), (2, [code, 3]), "the request, then STOP");
+        assert_eq!((bench.word(A + 12), codes), (4, [code, 3]), "start, the request, then STOP");
         bench.command(Command::ContinueBlock);
         bench.cycles(1);
         assert!(!bench.bit(system::PO_STOP) && bench.bit(system::BLOCK_RESTART));
@@ -290,7 +432,7 @@ fn stopping_the_plc_breaks_the_block() {
 #[test]
 fn time_in_a_block_module_is_counted_in_cycles() {
     let mut b = Builder::new();
-    b.block_module(ModuleKind::BlockInit, |b| b.tim(A + 2, technol_image::op::Source::Int(4)));
+    b.block_module(ModuleKind::BlockInit, |b| b.tim(A + 2, Source::Int(4)));
     b.block_module(ModuleKind::BlockDone, |b| {
         b.ex();
         b.op(set(READY, true));

@@ -98,6 +98,7 @@ impl Builder {
             sequences: vec![],
             timed: vec![],
             messages: vec![],
+            services: Vec::new(),
             procedures: vec![],
             initial: vec![],
             init_finished: vec![],

@@ -1,0 +1,268 @@
+//! Axes, positioning units and spindles of the control (manual 8.1, 12, 15, 19 and 20).
+//!
+//! [`Motion`] is called once for each millisecond of the control and once for each instruction of the program that
+//! concerns an axis; everything else goes through the interface cells. The instructions leave RLO and DR as they are,
+//! so that none of the methods gives them back; what was refused is told for the log only, the program finds it in
+//! its status record.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::config::MachineConfig;
+
+pub mod config;
+
+mod axis;
+mod cells;
+mod drive;
+mod feed;
+mod gate;
+mod homing;
+mod instructions;
+mod jog;
+mod number;
+mod output;
+mod path;
+mod publish;
+mod ramp;
+mod run;
+pub(crate) mod settings;
+mod signals;
+pub(crate) mod spindle;
+pub(crate) mod switch;
+mod unit;
+mod units;
+
+pub use cells::Cells;
+pub use instructions::SpiAx;
+pub use jog::Direction;
+pub use number::Thousandths;
+pub use output::{Analog, PORTS, Role};
+pub use path::{BlockMove, BlockState, Hold};
+pub use unit::{PosControl, PosMode};
+
+use axis::{Axis, Work};
+use feed::Feed;
+use jog::Jog;
+use output::Outputs;
+use path::Path;
+use run::Run;
+use settings::AxisSettings;
+use signals::{Signals, put};
+use spindle::Spindle;
+use unit::Unit;
+
+/// Axes of the control.
+pub const AXES: usize = 16;
+/// Axes that the program may hold at once.
+const HELD_AT_ONCE: usize = 6;
+/// Number in BZH13 after a position error that was too great (this implementation).
+pub const DIFFERENCE_ERROR: u8 = 1;
+
+/// Why an instruction did nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// There is no axis of this number.
+    NoSuchAxis,
+    /// The position loop of the axis is open (VAZBA is 0).
+    LoopOpen,
+    /// The control moves the axis.
+    Busy,
+    /// The program holds six other axes.
+    TooMany,
+    /// The program has not taken the axis by POS_INIT.
+    NotHeld,
+    /// The ramp is zero.
+    NoRamp,
+    /// No output is chosen, or the axis does not work as spindle.
+    NoOutput,
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Refused::NoSuchAxis => "there is no such axis; axes have the numbers 1 to 16",
+            Refused::LoopOpen => "the position loop of the axis is open; set its VAZBA bit",
+            Refused::Busy => "the control moves the axis; wait until its motion has ended",
+            Refused::TooMany => "the program holds 6 axes already; give one back with POS_RESET",
+            Refused::NotHeld => "the program does not hold the axis; take it with POS_INIT",
+            Refused::NoRamp => "the ramp is 0; give an acceleration of 1 mm/s² or more",
+            Refused::NoOutput => {
+                "no output is chosen by ANALOG_PORT, or the axis does not work as spindle (AX_SPI)"
+            }
+        })
+    }
+}
+
+impl core::error::Error for Refused {}
+
+/// The moving part of the control. Deterministic: what it does follows from its configuration, the calls and the cells.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    axes: Vec<Axis>,
+    units: Vec<Unit>,
+    runs: Vec<Option<Run>>,
+    jog: Jog,
+    path: Option<Path>,
+    block: BlockState,
+    hold: Hold,
+    /// Axes whose reference the operator has asked for and that have not begun.
+    wanted: u16,
+    outputs: Outputs,
+    /// Spindles 1 and 2.
+    spindles: [Spindle; 2],
+    feed_percent: u8,
+    speed_percent: u8,
+}
+
+impl Motion {
+    /// Axes at rest where their descriptions say, spindles that stand; what is not described has the usual values.
+    /// Descriptions are checked with the machine ([`Plant::compile`](crate::Plant::compile)).
+    #[must_use]
+    pub fn new(machine: &MachineConfig) -> Motion {
+        let usual = config::Axis::default();
+        let axis = |index: u8| {
+            let described = machine.axis.iter().find(|axis| axis.number == index + 1).unwrap_or(&usual);
+            Axis::new(AxisSettings::new(described, index))
+        };
+        let usual = config::Spindle::default();
+        let spindle =
+            |number: u8| Spindle::new(machine.spindle.iter().find(|s| s.number == number).unwrap_or(&usual));
+        Motion {
+            axes: (0..AXES as u8).map(axis).collect(),
+            units: (0..AXES).map(|_| Unit::default()).collect(),
+            runs: (0..AXES).map(|_| None).collect(),
+            jog: Jog::default(),
+            path: None,
+            block: BlockState::None,
+            hold: Hold::Go,
+            wanted: 0,
+            outputs: Outputs::default(),
+            spindles: [spindle(1), spindle(2)],
+            feed_percent: 100,
+            speed_percent: 100,
+        }
+    }
+
+    /// The PLC starts: all cells are written anew, and what the program had in hand is given back. With `cold` axes and
+    /// spindles are as at first, without reference; else the axes stay where they are. Keys and overrides stay.
+    pub fn start(&mut self, cells: &mut Cells<'_>, cold: bool) {
+        self.stand_still();
+        for (index, axis) in self.axes.iter_mut().enumerate() {
+            if cold {
+                *axis = Axis::new(axis.settings.clone());
+            }
+            (axis.work, axis.settled) = (Work::Free, false);
+            publish::settings(cells, index, axis);
+        }
+        self.units.iter_mut().for_each(|unit| *unit = Unit::default());
+        self.runs.iter_mut().for_each(|run| *run = None);
+        self.spindles.iter_mut().for_each(Spindle::reset);
+        self.jog.end();
+        self.outputs = Outputs::default();
+        (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
+    }
+
+    /// One millisecond, before the inputs of the program are read.
+    pub fn tick_ms(&mut self, cells: &mut Cells<'_>) {
+        let signals = Signals::read(cells);
+        let feed = Feed::read(cells, self.feed_percent);
+        self.assign(cells, &signals);
+        self.move_block(&signals, &feed);
+        self.move_axes(cells, &signals, &feed);
+        for (nth, spindle) in self.spindles.iter_mut().enumerate() {
+            let port = spindle.axis.or(spindle.port);
+            let value = port.and_then(|port| self.outputs.values.get(port)).copied().unwrap_or(0);
+            spindle.tick(cells, nth == 0, value, self.speed_percent);
+        }
+        self.tell(cells, &signals);
+    }
+
+    /// A block of the part program moves its axes, as soon as it is not held. An axis that something else moves, or that
+    /// the program holds, is [`Refused::Busy`]; then nothing moves.
+    pub fn begin_block(&mut self, block: &BlockMove) -> Result<(), Refused> {
+        if self.path.is_some() {
+            return Err(Refused::Busy);
+        }
+        for (number, _) in &block.travel {
+            if self.axes[index(*number)?].work != Work::Free {
+                return Err(Refused::Busy);
+            }
+        }
+        self.path = Path::new(block, &self.axes);
+        self.block = if self.path.is_some() { BlockState::Moving } else { BlockState::Done };
+        let mask = self.path.as_ref().map_or(0, Path::mask);
+        for (index, axis) in self.axes.iter_mut().enumerate() {
+            if signals::has(mask, index) {
+                axis.work = Work::Block;
+            }
+        }
+        Ok(())
+    }
+
+    /// How the last block stands.
+    pub fn block(&self) -> BlockState {
+        self.block
+    }
+
+    /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles.
+    pub fn hold(&mut self, hold: Hold) {
+        self.hold = hold;
+    }
+
+    /// No axis has a position error above its tolerance.
+    pub fn in_position(&self) -> bool {
+        self.axes.iter().all(Axis::in_tolerance)
+    }
+
+    /// Some axis moves, spindles apart.
+    pub fn moves(&self) -> bool {
+        self.axes.iter().any(|axis| axis.ramp.velocity != 0.0 && axis.work != Work::Spindle)
+    }
+
+    /// A key of the panel for manual movement: `None` is released.
+    pub fn jog_key(&mut self, axis: u8, direction: Option<Direction>) -> Result<(), Refused> {
+        let index = index(axis)?;
+        put(&mut self.jog.panel_plus, index, direction == Some(Direction::Plus));
+        put(&mut self.jog.panel_minus, index, direction == Some(Direction::Minus));
+        Ok(())
+    }
+
+    /// The key of the panel for rapid manual movement.
+    pub fn jog_rapid(&mut self, on: bool) {
+        self.jog.panel_rapid = on;
+    }
+
+    /// Potentiometers of the panel, in per cent.
+    pub fn set_overrides(&mut self, feed: u8, speed: u8) {
+        (self.feed_percent, self.speed_percent) = (feed, speed);
+    }
+
+    /// A block programs a speed of spindle 1 in rev/min, which becomes PB11 and PB12; `automatic`: M40 is in force.
+    pub fn program_speed(&mut self, cells: &mut Cells<'_>, speed: u32, automatic: bool) {
+        self.spindles[0].program(cells, f64::from(speed), automatic);
+    }
+
+    /// Values of the analogue outputs; 7FFFh is 10 V.
+    pub fn outputs(&self) -> &[i16; PORTS] {
+        &self.outputs.values
+    }
+
+    /// Speed of a spindle (1 or 2) in rev/min, with sign.
+    pub fn spindle_speed(&self, number: u8) -> f64 {
+        self.spindles.get(usize::from(number).wrapping_sub(1)).map_or(0.0, |spindle| spindle.actual)
+    }
+
+    /// Where an axis (1 to 16) is in the machine's own coordinate, µm; `servo`: the side of one of its servo loops.
+    pub fn place(&self, axis: u8, servo: Option<u8>) -> Option<f64> {
+        let axis = &self.axes[index(axis).ok()?];
+        let Some(servo) = servo else { return Some(axis.actual) };
+        let nth = axis.settings.servos.iter().position(|own| own + 1 == servo)?;
+        Some(axis.actual + axis.skew[nth])
+    }
+}
+
+/// The index of an axis of this number.
+fn index(axis: u8) -> Result<usize, Refused> {
+    if (1..=16).contains(&axis) { Ok(usize::from(axis - 1)) } else { Err(Refused::NoSuchAxis) }
+}

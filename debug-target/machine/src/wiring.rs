@@ -1,0 +1,280 @@
+//! The machine in words: what drives what.
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use crate::config::{
+    Block, Contact, Counter, Encoder, Fault, Key, Latch, Limit, MachineConfig, Ramp, Slide, Turret,
+};
+use crate::signal::{Signal, parse_port};
+
+/// What a signal does, or what is done to it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Wire {
+    /// The bit; of a whole port bit 0.
+    pub signal: Signal,
+    /// The whole port.
+    pub whole: bool,
+    /// The element, with its name.
+    pub element: String,
+    /// What happens there.
+    pub text: String,
+}
+
+/// The machine in words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wiring {
+    /// Signals that drive something, by signal.
+    pub drives: Vec<Wire>,
+    /// Inputs, and what drives them, by signal.
+    pub driven: Vec<Wire>,
+    /// Keys and what they do, in the order of the file.
+    pub keys: Vec<(String, String)>,
+    /// Faults and what they do, in the order of the file.
+    pub faults: Vec<(String, String)>,
+    /// Blocks of the part program, in the order of the file.
+    pub blocks: Vec<String>,
+}
+
+/// Describes a machine that [`Plant::compile`](crate::Plant::compile) accepts; names that are wrong are left out.
+#[must_use]
+pub fn wiring(config: &MachineConfig) -> Wiring {
+    let mut wiring = Wiring::default();
+    config.contact.iter().for_each(|e| contact(e, &mut wiring.of("contact", &e.name)));
+    config.limit.iter().for_each(|e| limit(e, &mut wiring.of("limit", &e.name)));
+    config.encoder.iter().for_each(|e| encoder(e, &mut wiring.of("encoder", &e.name)));
+    config.turret.iter().for_each(|e| turret(e, &mut wiring.of("turret", &e.name)));
+    config.latch.iter().for_each(|e| latch(e, &mut wiring.of("latch", &e.name)));
+    config.counter.iter().for_each(|e| counter(e, &mut wiring.of("counter", &e.name)));
+    config.ramp.iter().for_each(|e| ramp(e, &mut wiring.of("ramp", &e.name)));
+    config.slide.iter().for_each(|e| slide(e, &mut wiring.of("slide", &e.name)));
+    config.key.iter().for_each(|e| key(e, &mut wiring));
+    let control = &config.control;
+    for (signals, text) in [
+        (&control.start, "starts again what was stopped"),
+        (&control.stop, "stops the block"),
+        (&control.emergency_stop, "stops the block, as an emergency stop"),
+    ] {
+        let names = signals.as_ref().map_or(&[][..], |signals| &signals.0);
+        wiring.of("control", "").drives(names, text);
+    }
+    wiring.faults = config.fault.iter().map(fault).collect();
+    for (n, block) in config.block.iter().enumerate() {
+        if let Some(name) = &block.on {
+            let text = format!("starts {}", block_name(n, block));
+            wiring.of("block", "").drives(core::slice::from_ref(name), &text);
+        }
+        wiring.blocks.push(describe_block(n, block));
+    }
+    wiring.drives.sort();
+    wiring.driven.sort();
+    wiring
+}
+
+impl Wiring {
+    fn of(&mut self, kind: &str, name: &str) -> Element<'_> {
+        let element = if name.is_empty() { kind.to_string() } else { format!("{kind} \"{name}\"") };
+        Element { element, wiring: self }
+    }
+}
+
+/// Adds the wires of one element.
+struct Element<'a> {
+    element: String,
+    wiring: &'a mut Wiring,
+}
+
+impl Element<'_> {
+    fn wire(&self, name: &str, text: &str) -> Option<Wire> {
+        let bit = name.parse().ok().map(|signal| (signal, false));
+        let (signal, whole) = bit.or_else(|| parse_port(name).map(|port| (port, true)))?;
+        Some(Wire { signal, whole, element: self.element.clone(), text: text.into() })
+    }
+
+    fn drives(&mut self, names: &[String], text: &str) {
+        let wires: Vec<_> = names.iter().filter_map(|name| self.wire(name, text)).collect();
+        self.wiring.drives.extend(wires);
+    }
+
+    fn driven(&mut self, name: &str, text: &str) {
+        let wire = self.wire(name, text);
+        self.wiring.driven.extend(wire);
+    }
+
+    fn number(&mut self, ports: &[String], what: &str) {
+        for (n, port) in ports.iter().enumerate() {
+            let place = if ports.len() == 1 { String::new() } else { format!(", byte {n}") };
+            self.driven(port, &format!("{what} in binary{place}"));
+        }
+    }
+}
+
+fn any(names: &[String]) -> String {
+    names.join(" or ")
+}
+
+const fn level(on: bool) -> &'static str {
+    if on { "on" } else { "off" }
+}
+
+fn contact(e: &Contact, to: &mut Element<'_>) {
+    let (on, off) = (level(!e.invert), level(e.invert));
+    let (on_ms, off_ms) = (e.on_delay_ms, e.off_delay_ms);
+    to.drives(&e.output.0, &format!("{} {on} after {on_ms} ms, {off} after {off_ms} ms", e.input));
+    let text =
+        format!("{on} {on_ms} ms after {} goes on, {off} {off_ms} ms after it goes off", any(&e.output.0));
+    to.driven(&e.input, &text);
+}
+
+fn limit(e: &Limit, to: &mut Element<'_>) {
+    let there = e.travel_ms;
+    let back = e.return_ms.unwrap_or(there);
+    let reaches =
+        |input: &Option<String>| input.as_ref().map_or(String::new(), |name| format!(": then {name}"));
+    let end = reaches(&e.input_at_end);
+    let start = reaches(&e.input_at_start);
+    let spring = if e.output_backward.is_none() {
+        format!("; off: a spring brings it back in {back} ms{start}")
+    } else {
+        String::new()
+    };
+    to.drives(&e.output_forward.0, &format!("moves it to the end in {there} ms{end}{spring}"));
+    let backward = e.output_backward.as_ref().map_or(&[][..], |names| &names.0);
+    to.drives(backward, &format!("moves it to the start in {back} ms{start}"));
+    let by = if backward.is_empty() { "a spring".to_string() } else { any(backward) };
+    if let Some(name) = &e.input_at_start {
+        to.driven(name, &format!("on at the start, where {by} brings it in {back} ms"));
+    }
+    if let Some(name) = &e.input_at_end {
+        to.driven(
+            name,
+            &format!("on at the end, where {} brings it in {there} ms", any(&e.output_forward.0)),
+        );
+    }
+}
+
+fn encoder(e: &Encoder, to: &mut Element<'_>) {
+    to.drives(&e.output.0, &format!("turns it: a pulse every {} ms", e.period_ms));
+    to.drives(e.direction.as_ref().map_or(&[][..], |names| &names.0), "makes it count down");
+    if let Some(name) = &e.input {
+        to.driven(name, &format!("a pulse every {} ms while {} is on", e.period_ms, any(&e.output.0)));
+    }
+    to.number(&e.position, "its count");
+}
+
+fn turret(e: &Turret, to: &mut Element<'_>) {
+    let each = format!("station, {} ms each, {} stations", e.station_ms, e.stations);
+    to.drives(&e.motor.0, &format!("turns it to the next {each}"));
+    to.drives(
+        e.motor_reverse.as_ref().map_or(&[][..], |names| &names.0),
+        &format!("turns it to the last {each}"),
+    );
+    for (bit, name) in e.code.iter().enumerate() {
+        to.driven(name, &format!("its station in BCD, bit {bit}"));
+    }
+    if let Some(name) = &e.strobe {
+        let ms = e.strobe_ms.unwrap_or((e.station_ms / 4).max(1));
+        to.driven(name, &format!("on for {ms} ms while a station is in place"));
+    }
+}
+
+fn latch(e: &Latch, to: &mut Element<'_>) {
+    to.drives(&e.set.0, &format!("sets it: {} {}", e.input, level(!e.invert)));
+    to.drives(&e.reset.0, &format!("resets it: {} {}", e.input, level(e.invert)));
+    let text = format!("{} from {} until {}", level(!e.invert), any(&e.set.0), any(&e.reset.0));
+    to.driven(&e.input, &text);
+}
+
+fn counter(e: &Counter, to: &mut Element<'_>) {
+    let reached = e.input.as_ref().map_or(String::new(), |name| format!(", then {name}"));
+    to.drives(&e.pulses.0, &format!("is counted up to {}{reached}", e.count));
+    to.drives(e.reset.as_ref().map_or(&[][..], |names| &names.0), "resets it");
+    if let Some(name) = &e.input {
+        let until = e.reset.as_ref().map_or("the next".to_string(), |names| any(&names.0));
+        to.driven(name, &format!("on from pulse {} of {} until {until}", e.count, any(&e.pulses.0)));
+    }
+    to.number(&e.value, "its count");
+}
+
+fn ramp(e: &Ramp, to: &mut Element<'_>) {
+    let rise = e.rise_per_s;
+    let fall = e.fall_per_s.unwrap_or(rise);
+    if let Some(names) = &e.output {
+        let text = format!("raises it to {} at {rise}/s; off: it falls to {} at {fall}/s", e.high, e.low);
+        to.drives(&names.0, &text);
+    }
+    for port in &e.source {
+        let text = format!("is its target; it rises at {rise}/s and falls at {fall}/s");
+        to.drives(core::slice::from_ref(port), &text);
+    }
+    for threshold in &e.thresholds {
+        let (on, off) = (level(!threshold.invert), level(threshold.invert));
+        let below = i64::from(threshold.at) - i64::from(threshold.hysteresis);
+        to.driven(&threshold.input, &format!("{on} from {}, {off} below {below}", threshold.at));
+    }
+    to.number(&e.value, "its value");
+}
+
+fn slide(e: &Slide, to: &mut Element<'_>) {
+    let speed = format!("{} mm/s, stroke {} mm", e.speed_mm_s, e.stroke_mm);
+    to.drives(&e.forward.0, &format!("moves it forward at {speed}"));
+    to.drives(&e.backward.0, &format!("moves it backward at {speed}"));
+    if let (Some(names), Some(rapid)) = (&e.rapid, e.rapid_mm_s) {
+        to.drives(&names.0, &format!("moves it at {rapid} mm/s instead"));
+    }
+    for switch in &e.switches {
+        let to_mm = crate::number::Thousandths(switch.at.0 + switch.width.0);
+        let text = format!("{} from {} mm to {to_mm} mm", level(!switch.invert), switch.at);
+        to.driven(&switch.input, &text);
+    }
+    to.number(&e.position, "its position in 0.01 mm");
+}
+
+fn key(e: &Key, wiring: &mut Wiring) {
+    let mut does = Vec::new();
+    if let Some(input) = &e.input {
+        does.push(format!("{input} {} while pressed", level(!e.invert)));
+        wiring.of("key", &e.name).driven(input, &format!("{} while pressed", level(!e.invert)));
+    }
+    if let Some(command) = e.command {
+        does.push(format!("tells _ON_CMD {command}"));
+    }
+    wiring.keys.push((e.name.clone(), does.join(", ")));
+}
+
+fn fault(e: &Fault) -> (String, String) {
+    let mut text = match (&e.input, &e.output, &e.element) {
+        (Some(input), ..) => match e.stuck {
+            Some(value) => format!("{input} stays {}", level(value)),
+            None => format!("the wire of {input} is broken: it stays off"),
+        },
+        (_, Some(output), _) if e.shorted == Some(true) => format!("{output} has a short circuit"),
+        (_, Some(output), _) => format!("{output} does not reach the machine"),
+        (_, _, Some(element)) => match (e.stuck, e.slow) {
+            (Some(value), _) => format!("\"{element}\" stays {}", level(value)),
+            (_, Some(times)) => format!("\"{element}\" takes {times} times as long"),
+            _ => format!("\"{element}\" does not move"),
+        },
+        _ => String::new(),
+    };
+    if e.active {
+        text.push_str(", from the start");
+    }
+    (e.name.clone(), text)
+}
+
+fn block_name(n: usize, block: &Block) -> String {
+    if block.name.is_empty() { format!("block {}", n + 1) } else { format!("\"{}\"", block.name) }
+}
+
+fn describe_block(n: usize, block: &Block) -> String {
+    let when = match (block.at_cycle, &block.on) {
+        (Some(cycle), _) => format!("in cycle {cycle}"),
+        (_, Some(signal)) => format!("when {signal} goes on"),
+        _ => "after the block before it".to_string(),
+    };
+    let motion =
+        if block.motion_ms > 0 { format!(", moves for {} ms", block.motion_ms) } else { String::new() };
+    format!("{} {when}{motion}", block_name(n, block))
+}

@@ -1,0 +1,190 @@
+//! Spindles: output values, gears, speeds, and who drives which output.
+
+use technol_image::system::{self, motion as place};
+use technol_machine::Cells;
+use technol_machine::motion::{Analog, Refused, Role};
+
+use crate::support::Bench;
+
+const LATHE: &str = "[[spindle]]\nnumber=1\nport=5\nacceleration=2000\n\
+                     gear=[{max-speed=400,max-output=26869},{max-speed=800,max-output=26869},{max-speed=2400}]\n";
+
+fn program(bench: &mut Bench, speed: u32, automatic: bool) {
+    bench.motion.program_speed(&mut Cells::new(&mut bench.memory), speed, automatic);
+}
+
+/// M41 to M44 by number, and nothing else in the group.
+fn gear(bench: &mut Bench, number: u8) {
+    let at = system::M41PI;
+    let others = bench.cells().byte(at.addr) & !(0b1111 << at.bit);
+    bench.cells().set_byte(at.addr, others | 1 << (at.bit + number - 1));
+}
+
+#[test]
+fn the_output_is_the_share_of_the_greatest_speed_of_the_gear() {
+    let mut bench = Bench::new(LATHE);
+    gear(&mut bench, 2);
+    bench.tick();
+    program(&mut bench, 630, false);
+    bench.tick();
+    assert_eq!(bench.cells().word(system::PB00 + 11), 0x52A7, "630 of 800 rev/min at 8.2 V");
+    assert_eq!((bench.cells().byte(system::PB00 + 11), bench.cells().byte(system::PB00 + 12)), (0xA7, 0x52));
+    assert_eq!(bench.cells().word(place::SPINDLE_VOLTAGE), 0x52A7);
+    assert_eq!(bench.cells().word(place::GEAR), 2);
+    let speed = bench.cells().dword(place::REQUESTED_PM);
+    assert!((speed - 630_000).abs() < 20, "{speed}");
+    assert_eq!(bench.cells().dword(place::REQUESTED_PT), 3780);
+}
+
+#[test]
+fn the_override_reaches_everything_but_the_programmed_value() {
+    let mut bench = Bench::new(LATHE);
+    gear(&mut bench, 3);
+    bench.tick();
+    program(&mut bench, 1200, false);
+    bench.motion.set_overrides(100, 50);
+    bench.tick();
+    let words =
+        |bench: &mut Bench| [system::PB00 + 11, place::SPINDLE_VOLTAGE].map(|at| bench.cells().word(at));
+    assert_eq!(words(&mut bench), [16_384, 8192]);
+    bench.cells().set_word(place::SPEED_MULTIPLIER, 500);
+    bench.tick();
+    assert_eq!(words(&mut bench)[1], 4096);
+    bench.set(place::SPEED_FROM_PROGRAM, true);
+    bench.cells().set_word(place::OVERRIDE_SPEED, 3000);
+    bench.tick();
+    assert_eq!(words(&mut bench)[1], 24_576);
+    bench.set(system::G33PI, true);
+    bench.tick();
+    assert_eq!(words(&mut bench)[1], 16_384, "not while a thread is cut");
+}
+
+#[test]
+fn m40_chooses_the_lowest_gear_that_reaches_the_speed() {
+    let mut bench = Bench::new(LATHE);
+    for (speed, expected) in [(1, 1), (400, 1), (401, 2), (800, 2), (2000, 3), (9999, 3)] {
+        program(&mut bench, speed, true);
+        bench.tick();
+        assert_eq!(bench.cells().word(place::GEAR), expected, "{speed}");
+        let gears = bench.cells().byte(system::M41PI.addr) >> system::M41PI.bit & 0b1111;
+        assert_eq!(gears, 1 << (expected - 1), "{speed}");
+    }
+    assert_eq!(bench.cells().word(system::PB00 + 11), 0x7FFF, "cut to the greatest speed");
+}
+
+#[test]
+fn the_program_may_keep_the_gear_to_itself() {
+    let mut bench = Bench::new(LATHE);
+    bench.set(place::GEAR_FROM_PROGRAM, true);
+    bench.set(place::GEAR_BY_HAND, true);
+    bench.cells().set_word(place::GEAR, 3);
+    gear(&mut bench, 1);
+    bench.tick();
+    assert_eq!(bench.cells().word(place::GEAR), 3);
+    bench.set(place::GEAR_BY_HAND, false);
+    bench.tick();
+    assert_eq!(bench.cells().word(place::GEAR), 1);
+}
+
+#[test]
+fn the_motor_follows_its_output_by_its_ramp() {
+    let mut bench = Bench::new(LATHE);
+    gear(&mut bench, 3);
+    bench.motion.analog_port(5).unwrap();
+    bench.motion.analog(0x4000, Analog::Port).unwrap(); // 1200 rev/min, 2000 a second
+    bench.run(300);
+    let actual = bench.cells().dword(place::ACTUAL_PM);
+    assert!((actual - 600_000).abs() < 1000, "{actual}");
+    bench.run(310);
+    let actual = bench.cells().dword(place::ACTUAL_PM);
+    assert!((actual - 1_200_037).abs() < 10, "{actual}");
+    assert!((bench.cells().dword(place::ACTUAL_PT) - 7200).abs() <= 1);
+    assert!(bench.cells().dword(place::AVERAGE_PM) < actual, "it lags");
+    bench.run(2000);
+    assert_eq!(bench.cells().dword(place::AVERAGE_PM), actual);
+    bench.motion.analog(-0x4000, Analog::Port).unwrap();
+    bench.run(2000);
+    assert!(bench.motion.spindle_speed(1) < -1199.0);
+    assert_eq!(bench.cells().dword(place::ACTUAL_PM), actual, "a speed has no sign");
+}
+
+#[test]
+fn a_spindle_without_encoder_shows_what_the_program_says() {
+    let mut bench = Bench::new("[[spindle]]\nnumber=1\nencoder=false\ngear=[{max-speed=1000}]");
+    bench.cells().set_dword(place::SIMULATED_PT, 6000);
+    bench.tick();
+    assert_eq!(bench.cells().dword(place::ACTUAL_PM), 1_000_000);
+    assert_eq!(bench.cells().dword(place::ACTUAL_PT), 6000);
+}
+
+#[test]
+fn values_are_cut_to_full_voltage_and_go_where_they_belong() {
+    let mut bench = Bench::new("");
+    assert_eq!(bench.motion.analog(1, Analog::Port), Err(Refused::NoOutput));
+    bench.motion.analog_port(16).unwrap();
+    bench.motion.analog(-0x8000, Analog::Port).unwrap();
+    assert_eq!(bench.motion.outputs()[15], -0x7FFF);
+    assert_eq!(bench.motion.analog_port(17), Err(Refused::NoSuchAxis));
+    assert_eq!(bench.motion.analog_spi(5, 4), Err(Refused::NoOutput), "an axis");
+    let mut memory = bench.memory.clone();
+    let mut cells = Cells::new(&mut memory);
+    let motion = &mut bench.motion;
+    motion.ax_spi(&mut cells, 4, Some(Role::Main)).unwrap();
+    motion.ax_spi(&mut cells, 5, Some(Role::Assist)).unwrap();
+    assert!(!cells.bit(place::LOOP_CLOSED.of(3)) && !cells.bit(place::LOOP_CLOSED.of(4)));
+    let seen = |motion: &technol_machine::Motion| (motion.outputs()[3], motion.outputs()[4]);
+    motion.analog(100, Analog::Main).unwrap();
+    motion.analog(200, Analog::Assist).unwrap();
+    assert_eq!(seen(motion), (100, 200));
+    // The roles are exchanged; the number of an axis stays its number.
+    motion.ax_spi(&mut cells, 4, Some(Role::Assist)).unwrap();
+    motion.ax_spi(&mut cells, 5, Some(Role::Main)).unwrap();
+    motion.analog(300, Analog::Main).unwrap();
+    motion.analog_spi(400, 4).unwrap();
+    assert_eq!(seen(motion), (400, 300));
+    motion.spi_main(4).unwrap();
+    motion.analog(1, Analog::Main).unwrap();
+    motion.analog(2, Analog::Assist).unwrap();
+    assert_eq!(seen(motion), (1, 2));
+    motion.analog(7, Analog::Axis(Some(4))).unwrap();
+    motion.analog(8, Analog::Axis(None)).unwrap();
+    assert_eq!(seen(motion), (7, 8), "a letter means the axis of the last AX_SPI");
+    motion.analog(9, Analog::Axis(Some(1))).unwrap();
+    assert_eq!(seen(motion), (7, 9), "axis 1 is no spindle");
+    motion.ax_spi(&mut cells, 5, Some(Role::Off)).unwrap();
+    assert_eq!(seen(motion), (7, 0));
+    assert_eq!(motion.analog(3, Analog::Assist), Err(Refused::NoOutput));
+}
+
+#[test]
+fn the_first_axis_that_becomes_a_spindle_is_the_main_one() {
+    let mut bench = Bench::new("");
+    let mut cells = Cells::new(&mut bench.memory);
+    bench.motion.ax_spi(&mut cells, 6, None).unwrap();
+    bench.motion.ax_spi(&mut cells, 5, None).unwrap();
+    bench.motion.analog(11, Analog::Main).unwrap();
+    assert_eq!(bench.motion.outputs()[5], 11);
+    assert_eq!(bench.init(6), Err(Refused::Busy), "a spindle is no axis");
+}
+
+#[test]
+fn a_rotary_axis_turns_with_its_output_and_feeds_follow_it() {
+    let toml = "[[axis]]\nnumber=1\nacceleration=5000\nfeed=100\n\
+                [[spindle]]\nnumber=1\naxis=4\nacceleration=60000\ngear=[{max-speed=600}]";
+    let mut bench = Bench::new(toml);
+    bench.motion.ax_spi(&mut Cells::new(&mut bench.memory), 4, None).unwrap();
+    bench.motion.analog_spi(0x7FFF, 4).unwrap(); // 10 rev/s
+    bench.run(100);
+    let before = bench.position(4, 0);
+    bench.run(100);
+    assert!((bench.position(4, 0) - before - 360_000.0).abs() < 0.1, "one turn in 1/1000 °");
+    assert!(!bench.is(place::REQUESTED.of(3)), "no motion of the control");
+    // Manual movement with 100 µm a revolution: 1 mm/s.
+    bench.set(place::JOG_PER_REVOLUTION, true);
+    bench.set(place::JOG_BEGIN, true);
+    bench.motion.jog_key(1, Some(technol_machine::motion::Direction::Plus)).unwrap();
+    bench.run(100);
+    let before = bench.position(1, 0);
+    bench.run(1000);
+    assert!((bench.position(1, 0) - before - 1000.0).abs() < 0.1);
+}

@@ -1,0 +1,283 @@
+//! The control around the program: what a port to a machine provides.
+//!
+//! The runtime computes; everything else a program can ask for (mapped inputs, tables, buses, axes …) it asks of a
+//! [`Control`]. The simulated one is in `technol-machine`.
+
+use alloc::vec::Vec;
+
+use technol_image::op::{Addr, Place, Width};
+use technol_image::service::{Arg, Service};
+
+use crate::fault::FaultKind;
+use crate::memory::Memory;
+use crate::registers::{Registers, sign_extend};
+
+/// How often something is copied between the program and the control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Rate {
+    /// Each 20 ms, around the modules of the cycle.
+    Slow,
+    /// Each millisecond, around MODULE_FAST.
+    Fast,
+    /// Each pass of MODULE_FASTEST.
+    Fastest,
+}
+
+/// A message that the control reports by itself (EDEF, manual 14.3). `_ON_ESET` is not called for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ControlMessage {
+    /// Number of the call that set it up, see [`Call::index`].
+    pub call: u16,
+    /// Its number.
+    pub number: u32,
+    /// Supplementary number.
+    pub sub_id: Option<i64>,
+    /// Shown (true) or removed (false).
+    pub set: bool,
+    /// Values for its text.
+    pub parameters: [Option<i64>; 3],
+}
+
+/// The control around a program. Every method is called from [`Runtime::tick_with`](crate::Runtime::tick_with), on its thread;
+/// nothing may wait.
+pub trait Control {
+    /// Carries out an instruction. What it says of RLO and DR goes into the registers of the call.
+    ///
+    /// # Errors
+    /// A fault that stops the PLC: an operand that reaches outside memory, or an instruction this control does not
+    /// have ([`FaultKind::NoService`]).
+    fn service(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind>;
+
+    /// Before the modules of a rate: inputs go into memory. The port bytes have been copied. [`Rate::Fast`] is called in every
+    /// millisecond of PLC time.
+    fn inputs(&mut self, rate: Rate, millis: u64, memory: &mut [u8]) {
+        let _ = (rate, millis, memory);
+    }
+
+    /// After the modules of a rate: outputs leave memory. The port bytes will be copied.
+    fn outputs(&mut self, rate: Rate, millis: u64, memory: &mut [u8]) {
+        let _ = (rate, millis, memory);
+    }
+
+    /// The next message the control reports by itself; asked after the outputs of each cycle until there is none.
+    fn next_message(&mut self) -> Option<ControlMessage> {
+        None
+    }
+
+    /// The PLC starts: what the program declared before is forgotten. `cold`: everything is as at power-on.
+    fn start(&mut self, cold: bool) {
+        let _ = cold;
+    }
+}
+
+/// No control: programs that only compute.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoControl;
+
+impl Control for NoControl {
+    fn service(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
+        Err(FaultKind::NoService(call.service()))
+    }
+}
+
+/// An instruction on its way to the control: its operands, memory and registers.
+pub struct Call<'a> {
+    pub(crate) service: Service,
+    pub(crate) args: &'a [Arg],
+    pub(crate) index: u16,
+    pub(crate) millis: u64,
+    pub(crate) memory: &'a mut Memory,
+    pub(crate) regs: &'a mut Registers,
+}
+
+impl Call<'_> {
+    /// Which instruction.
+    pub fn service(&self) -> Service {
+        self.service
+    }
+
+    /// Number of this place in the program: two executions of one line have the same. Instructions that take several
+    /// cycles know their transfer by it.
+    pub fn index(&self) -> u16 {
+        self.index
+    }
+
+    /// Milliseconds of PLC time.
+    pub fn millis(&self) -> u64 {
+        self.millis
+    }
+
+    /// Operand `n` as the program has it; [`Arg::Missing`] when it is left out.
+    pub fn arg(&self, n: usize) -> &Arg {
+        self.args.get(n).unwrap_or(&Arg::Missing)
+    }
+
+    /// Operand `n` is given.
+    pub fn is_given(&self, n: usize) -> bool {
+        *self.arg(n) != Arg::Missing
+    }
+
+    /// The keyword at operand `n`, upper case.
+    pub fn keyword(&self, n: usize) -> Option<&str> {
+        match self.arg(n) {
+            Arg::Keyword(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// Integer value of operand `n`: a constant, a cell (sign-extended), a bit (0 or 1); a real is rounded toward zero.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn integer(&self, n: usize) -> Result<Option<i64>, FaultKind> {
+        Ok(match self.arg(n) {
+            Arg::Int(value) => Some(*value),
+            Arg::Real(value) => Some(*value as i64),
+            Arg::Cell { width: Width::Real, .. } => self.real(n)?.map(|value| value as i64),
+            Arg::Cell { place, width, neg } => {
+                let value = self.memory.read(*place, *width, self.regs.bx)?;
+                Some(if *neg { sign_extend(*width, value.wrapping_neg()) } else { value })
+            }
+            Arg::Bit { bit, neg } => Some(i64::from(self.memory.bit(*bit, self.regs.bx)? != *neg)),
+            _ => None,
+        })
+    }
+
+    /// Real value of operand `n`; an integer is converted.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn real(&self, n: usize) -> Result<Option<f64>, FaultKind> {
+        match self.arg(n) {
+            Arg::Real(value) => Ok(Some(*value)),
+            Arg::Cell { place, width: Width::Real, neg } => {
+                let value =
+                    f64::from_bits(self.memory.read(*place, Width::Real, self.regs.bx)?.cast_unsigned());
+                Ok(Some(if *neg { -value } else { value }))
+            }
+            _ => Ok(self.integer(n)?.map(|value| value as f64)),
+        }
+    }
+
+    /// Address of operand `n` in memory, and how many bytes may be used there: those of the cell, those up to the end of the
+    /// declared variable, one for a bit.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn area(&self, n: usize) -> Result<Option<(Addr, u32)>, FaultKind> {
+        let (place, len) = match self.arg(n) {
+            Arg::Cell { place, width, .. } => (*place, width.bytes()),
+            Arg::Area { place, len } => (*place, *len),
+            Arg::Bit { bit, .. } => (Place { addr: bit.addr, indexed: bit.indexed }, 1),
+            _ => return Ok(None),
+        };
+        if !place.indexed {
+            return Ok(Some((place.addr, len)));
+        }
+        let at = self.memory.resolve(place.addr, true, self.regs.bx, 0)? as Addr;
+        Ok(Some((at, place.addr.saturating_add(len).saturating_sub(at))))
+    }
+
+    /// The text at operand `n`: a literal, or the bytes of a text buffer up to its end mark.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn text(&self, n: usize) -> Result<Option<&[u8]>, FaultKind> {
+        if let Arg::Text(bytes) = self.arg(n) {
+            return Ok(Some(bytes));
+        }
+        let Some((addr, len)) = self.area(n)? else { return Ok(None) };
+        let bytes = self.bytes(addr, len)?;
+        let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
+        Ok(Some(&bytes[..end]))
+    }
+
+    /// Bytes of memory.
+    ///
+    /// # Errors
+    /// They do not all lie in memory.
+    pub fn bytes(&self, addr: Addr, len: u32) -> Result<&[u8], FaultKind> {
+        let start = addr as usize;
+        let end = start.checked_add(len as usize);
+        let found = end.and_then(|end| self.memory.bytes().get(start..end));
+        found.ok_or(FaultKind::BadAddress { addr: i64::from(addr), len })
+    }
+
+    /// Writes bytes into memory.
+    ///
+    /// # Errors
+    /// They do not all lie in memory; then nothing is written.
+    pub fn write(&mut self, addr: Addr, bytes: &[u8]) -> Result<(), FaultKind> {
+        let len = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
+        self.memory.poke(addr, bytes).map_err(|_| FaultKind::BadAddress { addr: i64::from(addr), len })
+    }
+
+    /// Writes an integer to the cell or bit at operand `n`; other operands take nothing. A real cell gets the number.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn store(&mut self, n: usize, value: i64) -> Result<(), FaultKind> {
+        match self.args.get(n) {
+            Some(Arg::Cell { width: Width::Real, .. }) => self.store_real(n, value as f64),
+            Some(Arg::Cell { place, width, .. }) => self.memory.write(*place, *width, self.regs.bx, value),
+            Some(Arg::Bit { bit, .. }) => self.memory.set_bit(*bit, self.regs.bx, value != 0),
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes a real to the cell at operand `n`; an integer cell gets it rounded toward zero.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn store_real(&mut self, n: usize, value: f64) -> Result<(), FaultKind> {
+        match self.args.get(n) {
+            Some(Arg::Cell { place, width: Width::Real, .. }) => {
+                self.memory.write(*place, Width::Real, self.regs.bx, value.to_bits().cast_signed())
+            }
+            _ => self.store(n, value as i64),
+        }
+    }
+
+    /// Writes a text and its end mark into the buffer at operand `n`; what does not fit is cut.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn store_text(&mut self, n: usize, text: &[u8]) -> Result<(), FaultKind> {
+        let Some((addr, len)) = self.area(n)? else { return Ok(()) };
+        let room = (len as usize).saturating_sub(1).min(text.len());
+        let mut bytes: Vec<u8> = text[..room].to_vec();
+        bytes.push(0);
+        bytes.truncate(len as usize);
+        self.write(addr, &bytes)
+    }
+
+    /// RLO.
+    pub fn rlo(&self) -> bool {
+        self.regs.rlo
+    }
+
+    /// Sets RLO.
+    pub fn set_rlo(&mut self, value: bool) {
+        self.regs.rlo = value;
+    }
+
+    /// DR64.
+    pub fn dr(&self) -> i64 {
+        self.regs.dr
+    }
+
+    /// Sets DR64.
+    pub fn set_dr(&mut self, value: i64) {
+        self.regs.dr = value;
+    }
+
+    /// DR_REAL.
+    pub fn dr_real(&self) -> f64 {
+        self.regs.dr_real
+    }
+
+    /// Sets DR_REAL; DR64 gets its integer copy as after LOD REAL.
+    pub fn set_dr_real(&mut self, value: f64) {
+        self.regs.set_real(value);
+    }
+}

@@ -1,0 +1,9 @@
+//! What somebody relies on who brings the runtime to a controller: it links without a standard library and works
+//! from C, asks for no memory in a cycle, has a bounded stack, and does the same again.
+
+mod allocations;
+mod bare;
+mod from_c;
+mod lathe;
+mod same_again;
+mod stack;
