@@ -192,7 +192,7 @@ impl<'a> Run<'a> {
                     return failed(format!("{text} in the memory of the PLC"), error.to_string());
                 }
             }
-            Action::Block(block) => self.simulation.start_block(block.clone()),
+            Action::Block(block) => self.simulation.start_block((**block).clone()),
         }
         Ok(())
     }

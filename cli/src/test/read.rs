@@ -1,5 +1,6 @@
 //! Reading scenario files. Everything that is wrong is reported, not only the first mistake.
 
+mod block;
 mod step;
 
 use std::collections::BTreeSet;

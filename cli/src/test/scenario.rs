@@ -87,7 +87,7 @@ pub(super) enum Action {
         text: String,
         assignment: Assignment,
     },
-    Block(BlockStart),
+    Block(Box<BlockStart>),
 }
 
 impl Action {

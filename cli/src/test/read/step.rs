@@ -1,12 +1,12 @@
 //! Reading a step.
 
 use technol_analysis::expression::{Assignment, nearest, resolve};
-use technol_machine::{BlockExtra, BlockMode, BlockStart};
 use toml::de::{DeTable, DeValue};
 
 use super::super::condition::{Condition, Mistake, Side};
 use super::super::fields::{Entry, Node, Source, entries, get, names};
 use super::super::scenario::{Action, Check, Step, Test, Time};
+use super::block::block;
 use super::{Reader, inside};
 use crate::run::changes::input_port;
 
@@ -36,15 +36,8 @@ const STEP: &[&str] = &[
     "no-message",
     "plc-fault",
 ];
-const BLOCK: &[&str] = &["m", "s", "t", "h", "motion-ms", "rapid", "mode"];
-const MODES: [(&str, BlockMode); 4] = [
-    ("auto", BlockMode::Auto),
-    ("central-annulment", BlockMode::CentralAnnulment),
-    ("reference", BlockMode::Reference),
-    ("other", BlockMode::Other),
-];
 /// The longest time a step may take: an hour.
-const LONGEST: u64 = 3_600_000;
+pub(super) const LONGEST: u64 = 3_600_000;
 /// Length of a cycle in milliseconds.
 const CYCLE: u64 = 20;
 
@@ -145,7 +138,7 @@ impl Reader<'_> {
             }
             "block" => {
                 for (_, table) in source.tables(node, "a block") {
-                    actions.push(Action::Block(block(table, source)));
+                    actions.push(Action::Block(Box::new(block(table, source))));
                 }
             }
             _ => {}
@@ -281,31 +274,6 @@ fn duration(node: &Node<'_>, source: &mut Source<'_>) -> Option<u64> {
     ms
 }
 
-fn block(table: &DeTable<'_>, source: &mut Source<'_>) -> BlockStart {
-    source.known(table, "a block", BLOCK);
-    let mut number = |key: &str, most: u64| {
-        let node = get(table, key)?;
-        source.number(node, &format!("`{key}`"), most)
-    };
-    let s = number("s", 0x7FFF);
-    let t = number("t", 99_999_999);
-    let h = number("h", 99);
-    let motion_ms = number("motion-ms", LONGEST);
-    let m = get(table, "m").map(|node| source.numbers(node, "an M function", 99)).unwrap_or_default();
-    let rapid = get(table, "rapid").and_then(|node| source.boolean(node, "`rapid`"));
-    let mode = get(table, "mode").and_then(|node| one_of(node, "mode", &MODES, source));
-    BlockStart {
-        m: m.into_iter().map(|m| m as u8).collect(),
-        s: s.map(|s| s as u16),
-        t: t.map(|t| t as u32),
-        h: h.map(|h| h as u8),
-        motion_ms: motion_ms.unwrap_or(0) as u32,
-        rapid: rapid.unwrap_or(false),
-        mode: mode.unwrap_or_default(),
-        extra: BlockExtra::default(),
-    }
-}
-
 fn no_messages(node: &Node<'_>, source: &mut Source<'_>) -> Vec<Check> {
     if let DeValue::Boolean(true) = node.get_ref() {
         return vec![Check::NoMessages];
@@ -333,7 +301,12 @@ fn ends(entry: &Entry<'_, '_>, test: &Test, source: &mut Source<'_>) -> Vec<Stri
     ends
 }
 
-fn one_of<T: Copy>(node: &Node<'_>, key: &str, words: &[(&str, T)], source: &mut Source<'_>) -> Option<T> {
+pub(super) fn one_of<T: Copy>(
+    node: &Node<'_>,
+    key: &str,
+    words: &[(&str, T)],
+    source: &mut Source<'_>,
+) -> Option<T> {
     let text = source.text(node, &format!("`{key}`"))?;
     let found = words.iter().find(|(word, _)| *word == text).map(|(_, value)| *value);
     if found.is_none() {

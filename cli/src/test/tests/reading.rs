@@ -1,6 +1,7 @@
 //! Reading scenario files.
 
 use proptest::prelude::*;
+use technol_machine::{BlockFlag, BlockMode};
 
 use super::super::scenario::{Action, Check, Time};
 use super::Fixture;
@@ -56,7 +57,7 @@ fn every_mistake_is_reported_with_its_place() {
     a.test.toml:11:56: TEXT: the text has 12 characters, the buffer holds 8
     a.test.toml:12:21: an M function is a whole number from 0 to 99
     a.test.toml:12:31: `s` is a whole number from 0 to 32767
-    a.test.toml:12:35: `motion` is no key of a block; there is: m, s, t, h, motion-ms, rapid, mode
+    a.test.toml:12:35: `motion` is no key of a block; there is: m, s, t, h, motion-ms, rapid, mode, speed, feed, feed-max, length-mm, dwell, scale, integers, reals, axes, flags
     a.test.toml:15:11: `until` needs `at-most`, the longest time it may take
     a.test.toml:15:21: CONT is not declared in this program; did you mean COUNT?
     a.test.toml:16:19: GO is a bit, 0 or 1
@@ -75,6 +76,36 @@ fn every_mistake_is_reported_with_its_place() {
     a.test.toml:26:1: a test needs steps: `[[test.step]]`, or `step = [ { … }, … ]`
     a.test.toml:26:1: there is another test `wrong` in this file
     "#);
+}
+
+#[test]
+fn a_block_has_the_keys_of_the_machine_file() {
+    let mut fixture = Fixture::new();
+    let tests = fixture.tests(
+        "[[test]]\nname = 'a'\nstep = [{ block = { m = [3], t = 5, mode = 'other', feed = 100, dwell = 0.5, \
+         integers = [-1, 2], reals = [1.5], axes = [[0, 12.5], [15, -3]], flags = ['thread', 'rev-feed'] } }]\n",
+    );
+    let [Action::Block(block)] = tests[0].steps[0].actions.as_slice() else { panic!("one block") };
+    assert_eq!((block.m.as_slice(), block.t, block.mode), (&[3][..], Some(5), BlockMode::Other));
+    let extra = &block.extra;
+    assert_eq!((extra.feed, extra.dwell, extra.scale), (Some(100.0), Some(0.5), None));
+    assert_eq!((extra.integers.as_slice(), extra.reals.as_slice()), (&[-1, 2][..], &[1.5][..]));
+    assert_eq!(extra.axes, [(0, 12.5), (15, -3.0)]);
+    assert_eq!(extra.flags, [BlockFlag::Thread, BlockFlag::RevFeed]);
+    for (wrong, said) in [
+        ("feed = 'fast'", "`feed` is a number"),
+        ("dwell = inf", "`dwell` is a number"),
+        ("integers = [1, 2, 3, 4, 5, 6]", "`integers` is an array of at most 5 whole numbers"),
+        ("integers = [2147483648]", "`integers` is an array"),
+        ("axes = [[16, 1.0]]", "`axes` is an array of pairs"),
+        ("axes = [1, 2]", "`axes` is an array of pairs"),
+        ("flags = ['thred']", "`flags` is \"backward\" or"),
+        ("at-cycle = 5", "`at-cycle` is no key of a block"),
+    ] {
+        let mistakes =
+            fixture.mistakes(&format!("[[test]]\nname = 'a'\nstep = [{{ block = {{ {wrong} }} }}]\n"));
+        assert!(mistakes.starts_with("a.test.toml:3:") && mistakes.contains(said), "{wrong}: {mistakes}");
+    }
 }
 
 #[test]
