@@ -4,6 +4,7 @@ mod bit_logic;
 mod blocks;
 mod data;
 mod debugger;
+mod fused;
 mod limits;
 mod mechanisms;
 mod modules;
