@@ -99,7 +99,9 @@ fn started(items: &[Item], memory: &[u8]) -> Bench {
                 }
             }
         }
-        open.iter().for_each(|(_, label)| b.place(*label));
+        for (_, label) in open {
+            b.place(label);
+        }
     });
     let mut bench = builder.load().started();
     bench.plc.write_memory(A, memory).expect("in memory");
