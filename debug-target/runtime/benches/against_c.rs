@@ -75,7 +75,7 @@ fn least(timings: impl Iterator<Item = f64>) -> f64 {
 
 fn compare(name: &str, mixture: Mixture) {
     let items = mixture.generate(OPERATIONS);
-    let operations: usize = items.iter().map(mixture::Item::operations).sum();
+    let operations = items.len();
     let mut plain = loaded(&items, false);
     let mut armed = loaded(&items, true);
     // Inputs of a cycle cost something too; an empty program says how much.

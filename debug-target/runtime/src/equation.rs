@@ -156,7 +156,7 @@ impl BitWrite {
     }
 
     /// It is not [`none`](BitWrite::none).
-    pub(crate) fn is_one(&self) -> bool {
+    pub(crate) fn is_one(self) -> bool {
         self.keep != [0xFF; 2]
     }
 
@@ -177,6 +177,7 @@ impl BitWrite {
     }
 
     #[inline]
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "one of two masks is taken from where they lie")]
     pub(crate) fn execute(&self, memory: &mut Window, rlo: bool) {
         let byte = &mut memory[usize::from(self.place)];
         *byte = *byte & self.keep[usize::from(rlo)] | self.set[usize::from(rlo)];

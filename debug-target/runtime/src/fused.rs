@@ -457,7 +457,8 @@ impl Data {
                 dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let (a, b) = (signed(dr as u32, shift), operand.get(memory));
                 let place = u8::from(a >= b) + u8::from(a > b);
-                rlo = (select >> place & 1 != 0) & (rlo | (select >> 7 == 0));
+                // Without branches.
+                rlo = select >> place & (u8::from(rlo) | !select >> 7) & 1 != 0;
                 self.write.execute(memory, rlo);
             }
             Kind::Move => {

@@ -55,7 +55,9 @@ impl Recording {
         self.tape.extend_from_slice(inputs);
         let mut events = Vec::new();
         plc.tick(inputs, &mut events);
-        events.iter().for_each(|event| self.event(event));
+        for event in &events {
+            self.event(event);
+        }
         write!(self.printed, "{} ", state_number(plc.state())).expect("a string takes all");
         for byte in plc.outputs() {
             write!(self.printed, "{byte:02x}").expect("a string takes all");

@@ -103,8 +103,10 @@ fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
     let bytes = need("technol_tick", &functions, &mut known, &mut Vec::new());
     println!("a tick needs at most {bytes} bytes of stack");
     assert!(known.len() > 30, "the code was understood: {known:?}");
+    // Moving the content of a queue takes `memmove` out of a register.
+    let expected = |name: &str| name.ends_with("execute::run_watched") || name.ends_with("::wrap_copy");
     let by_pointer: Vec<_> = known.keys().filter(|name| functions[**name].by_pointer).collect();
-    assert!(by_pointer.iter().all(|name| name.ends_with("execute::run_watched")), "{by_pointer:?}");
+    assert!(by_pointer.iter().all(|name| expected(name)), "{by_pointer:?}");
     assert!(bytes <= MOST_BYTES, "{bytes}");
 }
 

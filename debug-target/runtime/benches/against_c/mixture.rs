@@ -25,12 +25,6 @@ pub(crate) enum Item {
     Over(usize),
 }
 
-impl Item {
-    pub(crate) fn operations(&self) -> usize {
-        1
-    }
-}
-
 /// xorshift64*.
 fn next(seed: &mut u64) -> u64 {
     *seed ^= *seed >> 12;

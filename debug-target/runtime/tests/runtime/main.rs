@@ -7,6 +7,7 @@ mod coverage;
 mod data;
 mod debugger;
 mod interface;
+mod fused;
 mod limits;
 mod mechanisms;
 mod modules;
