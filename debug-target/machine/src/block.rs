@@ -1,5 +1,6 @@
 //! Part-program blocks that the control starts.
 
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use serde::Deserialize;
@@ -92,7 +93,7 @@ pub struct BlockStart {
     /// Mode.
     pub mode: BlockMode,
     /// The rest.
-    pub extra: BlockExtra,
+    pub extra: Box<BlockExtra>,
 }
 
 /// What starts a block.
@@ -210,7 +211,7 @@ fn start(block: &config::Block) -> BlockStart {
         motion_ms: block.motion_ms,
         rapid: block.rapid,
         mode: block.mode,
-        extra: BlockExtra {
+        extra: Box::new(BlockExtra {
             first: false,
             last: false,
             flags: block.flags.clone(),
@@ -223,6 +224,6 @@ fn start(block: &config::Block) -> BlockStart {
             integers: block.integers.clone(),
             reals: block.reals.clone(),
             axes: block.axes.clone(),
-        },
+        }),
     }
 }

@@ -176,9 +176,9 @@ fn blocks_start_in_their_cycle_or_on_a_rising_edge() {
         motion_ms: 0,
         rapid: false,
         mode,
-        extra: BlockExtra::default(),
+        extra: Box::default(),
     };
-    let place = |first, last| BlockExtra { first, last, ..BlockExtra::default() };
+    let place = |first, last| Box::new(BlockExtra { first, last, ..BlockExtra::default() });
     let first = BlockStart {
         s: Some(1200),
         motion_ms: 400,

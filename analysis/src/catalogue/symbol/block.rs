@@ -320,7 +320,7 @@ mod tests {
         assert_eq!(block_record_len(), record::LEN);
         let bits = |member: &&SystemSymbol| matches!(member.kind, SystemKind::Bit { .. });
         assert!(block_members().filter(bits).all(|member| at(member.name).0 < record::BITS_LEN));
-        assert!(SUPERVISOR_END <= technol_image::system::LEN);
+        const { assert!(SUPERVISOR_END <= technol_image::system::LEN) };
     }
 
     #[test]

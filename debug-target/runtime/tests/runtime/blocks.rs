@@ -370,6 +370,9 @@ fn groups_of_the_configuration_have_their_cells_and_bits() {
     assert_eq!(error(&[(100, 14)]), "there is no M100; M functions go from 0 to 99");
 }
 
+/// M functions, speed; gear bits and whether they changed, spindle value.
+type GearRow = (&'static [u8], Option<f64>, u8, bool, u16);
+
 #[test]
 fn the_automatic_gear_follows_the_programmed_speed() {
     let gears = [(100, 0x7FFF), (400, 0x7FFF), (800, 26_869)];
@@ -377,8 +380,7 @@ fn the_automatic_gear_follows_the_programmed_speed() {
     let mut bench = machine();
     bench.plc.set_gears(&gears);
     bench.set(READY, true);
-    // M function, speed; gear bits and whether they changed, spindle value.
-    let rows: [(&[u8], Option<f64>, u8, bool, u16); 7] = [
+    let rows: [GearRow; 7] = [
         (&[40], None, 0, true, 0), // no speed yet
         (&[], Some(100.0), 1, true, 0x7FFF),
         (&[], Some(50.0), 1, false, 0x3FFF),

@@ -31,12 +31,12 @@ fn tool(t: u32) -> Block {
 
 fn dword(bench: &Bench, number: u32, offset: u32) -> u32 {
     let at = (BLOCK_RECORDS + number * record::LEN + offset) as usize;
-    u32::from_le_bytes(bench.plc.memory()[at..at + 4].try_into().unwrap())
+    u32::from_le_bytes(bench.plc.memory()[at..at + 4].try_into().expect("in memory"))
 }
 
 fn real(bench: &Bench, number: u32, offset: u32) -> f64 {
     let at = (BLOCK_RECORDS + number * record::LEN + offset) as usize;
-    f64::from_le_bytes(bench.plc.memory()[at..at + 8].try_into().unwrap())
+    f64::from_le_bytes(bench.plc.memory()[at..at + 8].try_into().expect("in memory"))
 }
 
 /// The eight bytes of bits, lowest first.
@@ -153,8 +153,8 @@ fn what_a_block_does_not_program_is_that_of_the_block_before() {
         (record::BLOCK_LEN + 72, 11.0, 11.0),
     ];
     for (offset, first, second) in reals {
-        let found = [real(&bench, 0, offset), real(&bench, 1, offset)];
-        assert!(found == [first, second], "{offset}: {found:?}");
+        let found = [0, 1].map(|number| real(&bench, number, offset).to_bits());
+        assert_eq!(found, [first, second].map(f64::to_bits), "{offset}");
     }
 }
 

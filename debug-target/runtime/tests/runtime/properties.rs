@@ -142,6 +142,7 @@ fn data_op() -> impl Strategy<Value = Op> {
             state: HIDDEN + 8 + n
         }),
         (a_place(), a_place(), 0..9_u32).prop_map(|(src, dst, len)| Op::Copy { src, dst, len }),
+        (0..361_u16, 1..9_u8).prop_map(|(offset, len)| Op::SelectBlock { offset, len }),
         Just(Op::IndexFromDr),
         an_assembler_op(),
         Just(Op::IncrementBcd),

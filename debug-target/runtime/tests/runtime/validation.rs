@@ -98,6 +98,9 @@ fn widths_an_operation_does_not_have_are_rejected() {
         Op::RloToDr(Width::Real),
         Op::IntToReal(Width::Real),
         Op::Timer { count: cell(A), width: Width::DWord },
+        Op::SelectBlock { offset: 361, len: 8 },
+        Op::SelectBlock { offset: 0, len: 0 },
+        Op::SelectBlock { offset: 0, len: 9 },
     ];
     for op in ops {
         rejected(|p| p.code[0] = op, LoadItem::Op(0));
