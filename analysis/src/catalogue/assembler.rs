@@ -35,16 +35,10 @@ const TWO: &[OperandSpec] = &[
     ),
     operand("source", OperandKind::Any, "Register, cell or number", "Registr, buňka nebo číslo"),
 ];
-const ONE: &[OperandSpec] =
-    &[operand("target", OperandKind::Any, "Register or cell", "Registr nebo buňka")];
+const ONE: &[OperandSpec] = &[operand("target", OperandKind::Any, "Register or cell", "Registr nebo buňka")];
 const SHIFTED: &[OperandSpec] = &[
     operand("target", OperandKind::Any, "Register or cell that is shifted", "Posouvaný registr nebo buňka"),
-    operand(
-        "count",
-        OperandKind::Number { min: 0, max: 31 },
-        "Number of bits, or CL",
-        "Počet bitů, nebo CL",
-    ),
+    operand("count", OperandKind::Number { min: 0, max: 31 }, "Number of bits, or CL", "Počet bitů, nebo CL"),
 ];
 const TO_LABEL: &[OperandSpec] = &[operand(
     "label",
@@ -259,7 +253,10 @@ pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "ADD",
         forms: &[form("ADD target,source")],
-        summary: text("80386 instruction: adds the source to the target.", "Instrukce 80386: přičte zdroj k cíli."),
+        summary: text(
+            "80386 instruction: adds the source to the target.",
+            "Instrukce 80386: přičte zdroj k cíli.",
+        ),
         examples: &[example("        ADD  ECX,5", "Adds 5 to DR.", "Přičte 5 k DR.")],
         related: &["SUB", "INC", "AD"],
         ..CHANGES
@@ -268,7 +265,10 @@ pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "SUB",
         forms: &[form("SUB target,source")],
-        summary: text("80386 instruction: subtracts the source from the target.", "Instrukce 80386: odečte zdroj od cíle."),
+        summary: text(
+            "80386 instruction: subtracts the source from the target.",
+            "Instrukce 80386: odečte zdroj od cíle.",
+        ),
         examples: &[example("        SUB  ECX,5", "Subtracts 5 from DR.", "Odečte 5 od DR.")],
         related: &["ADD", "DEC", "CMP", "SU"],
         ..CHANGES
@@ -278,8 +278,15 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "INC",
         forms: &[form("INC target")],
         operands: ONE,
-        summary: text("80386 instruction: adds 1; the carry flag stays.", "Instrukce 80386: přičte 1; příznak přenosu se nemění."),
-        examples: &[example("        INC  CX", "Adds 1 to the lower 16 bits of DR.", "Přičte 1 ke spodním 16 bitům DR.")],
+        summary: text(
+            "80386 instruction: adds 1; the carry flag stays.",
+            "Instrukce 80386: přičte 1; příznak přenosu se nemění.",
+        ),
+        examples: &[example(
+            "        INC  CX",
+            "Adds 1 to the lower 16 bits of DR.",
+            "Přičte 1 ke spodním 16 bitům DR.",
+        )],
         related: &["DEC", "ADD", "INR"],
         ..CHANGES
     },
@@ -287,8 +294,15 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "DEC",
         forms: &[form("DEC target")],
         operands: ONE,
-        summary: text("80386 instruction: subtracts 1; the carry flag stays.", "Instrukce 80386: odečte 1; příznak přenosu se nemění."),
-        examples: &[example("        DEC  CX", "Subtracts 1 from the lower 16 bits of DR.", "Odečte 1 od spodních 16 bitů DR.")],
+        summary: text(
+            "80386 instruction: subtracts 1; the carry flag stays.",
+            "Instrukce 80386: odečte 1; příznak přenosu se nemění.",
+        ),
+        examples: &[example(
+            "        DEC  CX",
+            "Subtracts 1 from the lower 16 bits of DR.",
+            "Odečte 1 od spodních 16 bitů DR.",
+        )],
         related: &["INC", "SUB", "DCR"],
         ..CHANGES
     },
@@ -296,8 +310,15 @@ pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "CMP",
         forms: &[form("CMP target,source")],
-        summary: text("80386 instruction: sets the flags of target minus source and nothing else.", "Instrukce 80386: nastaví příznaky rozdílu cíl minus zdroj a nic jiného."),
-        examples: &[example(concat!("        CMP  ECX,10\n", "        JAE  DONE\n", "        FL   1,LAMP\n", "DONE:"), "Sets LAMP when DR is below 10.", "Nastaví LAMP, když je DR menší než 10.")],
+        summary: text(
+            "80386 instruction: sets the flags of target minus source and nothing else.",
+            "Instrukce 80386: nastaví příznaky rozdílu cíl minus zdroj a nic jiného.",
+        ),
+        examples: &[example(
+            concat!("        CMP  ECX,10\n", "        JAE  DONE\n", "        FL   1,LAMP\n", "DONE:"),
+            "Sets LAMP when DR is below 10.",
+            "Nastaví LAMP, když je DR menší než 10.",
+        )],
         related: &["SUB", "JE", "JL", "JB", "EQ"],
         writes: &[],
         ..CHANGES
@@ -316,7 +337,11 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "AND",
         forms: &[form("AND target,source")],
         summary: text("80386 instruction: bitwise AND.", "Instrukce 80386: logický součin po bitech."),
-        examples: &[example("        AND  ECX,0FFh", "Keeps the lowest byte of DR32.", "Ponechá z DR32 nejnižší bajt.")],
+        examples: &[example(
+            "        AND  ECX,0FFh",
+            "Keeps the lowest byte of DR32.",
+            "Ponechá z DR32 nejnižší bajt.",
+        )],
         related: &["OR", "XOR", "ANDB"],
         ..CHANGES
     },
@@ -331,7 +356,10 @@ pub(super) static ENTRIES: &[Entry] = &[
     Entry {
         name: "XOR",
         forms: &[form("XOR target,source")],
-        summary: text("80386 instruction: bitwise exclusive OR.", "Instrukce 80386: výlučný součet po bitech."),
+        summary: text(
+            "80386 instruction: bitwise exclusive OR.",
+            "Instrukce 80386: výlučný součet po bitech.",
+        ),
         examples: &[example("        XOR  AH,40h", "Negates RLO.", "Neguje RLO.")],
         related: &["AND", "OR", "XORB"],
         ..CHANGES
@@ -342,7 +370,10 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "SHL",
         forms: &[form("SHL target,n")],
         operands: SHIFTED,
-        summary: text("80386 instruction: shifts left by 0 to 31 bits; of CL the lower 5 bits count.", "Instrukce 80386: posune vlevo o 0 až 31 bitů; z CL platí spodních 5 bitů."),
+        summary: text(
+            "80386 instruction: shifts left by 0 to 31 bits; of CL the lower 5 bits count.",
+            "Instrukce 80386: posune vlevo o 0 až 31 bitů; z CL platí spodních 5 bitů.",
+        ),
         examples: &[example("        SHL  ECX,2", "Multiplies DR32 by 4.", "Vynásobí DR32 čtyřmi.")],
         related: &["SHR", "RL"],
         ..CHANGES
@@ -352,8 +383,15 @@ pub(super) static ENTRIES: &[Entry] = &[
         name: "SHR",
         forms: &[form("SHR target,n")],
         operands: SHIFTED,
-        summary: text("80386 instruction: shifts right by 0 to 31 bits, filling with 0; of CL the lower 5 bits count.", "Instrukce 80386: posune vpravo o 0 až 31 bitů a doplní nuly; z CL platí spodních 5 bitů."),
-        examples: &[example("        SHR  ECX,8", "Moves the second byte of DR to the first place.", "Přesune druhý bajt DR na první místo.")],
+        summary: text(
+            "80386 instruction: shifts right by 0 to 31 bits, filling with 0; of CL the lower 5 bits count.",
+            "Instrukce 80386: posune vpravo o 0 až 31 bitů a doplní nuly; z CL platí spodních 5 bitů.",
+        ),
+        examples: &[example(
+            "        SHR  ECX,8",
+            "Moves the second byte of DR to the first place.",
+            "Přesune druhý bajt DR na první místo.",
+        )],
         related: &["SHL", "RR"],
         ..CHANGES
     },
@@ -446,22 +484,62 @@ pub(super) static ENTRIES: &[Entry] = &[
     known("LOOPZ", JUMPS),
     known("LOOPNE", JUMPS),
     known("LOOPNZ", JUMPS),
-    jump!("JCXZ", "CX, the lower 16 bits of DR, is 0", "CX, spodních 16 bitů DR, je 0 (příznaky se netestují)"),
-    jump!("JECXZ", "ECX, the lower 32 bits of DR, is 0", "ECX, spodních 32 bitů DR, je 0 (příznaky se netestují)"),
-    jump!("JA", "the first value was above the second, without signs", "první hodnota byla větší než druhá, bez znamének"),
-    jump!("JAE", "the first value was not below the second, without signs", "první hodnota nebyla menší než druhá, bez znamének"),
-    jump!("JB", "the first value was below the second, without signs", "první hodnota byla menší než druhá, bez znamének"),
-    jump!("JBE", "the first value was not above the second, without signs", "první hodnota nebyla větší než druhá, bez znamének"),
+    jump!(
+        "JCXZ",
+        "CX, the lower 16 bits of DR, is 0",
+        "CX, spodních 16 bitů DR, je 0 (příznaky se netestují)"
+    ),
+    jump!(
+        "JECXZ",
+        "ECX, the lower 32 bits of DR, is 0",
+        "ECX, spodních 32 bitů DR, je 0 (příznaky se netestují)"
+    ),
+    jump!(
+        "JA",
+        "the first value was above the second, without signs",
+        "první hodnota byla větší než druhá, bez znamének"
+    ),
+    jump!(
+        "JAE",
+        "the first value was not below the second, without signs",
+        "první hodnota nebyla menší než druhá, bez znamének"
+    ),
+    jump!(
+        "JB",
+        "the first value was below the second, without signs",
+        "první hodnota byla menší než druhá, bez znamének"
+    ),
+    jump!(
+        "JBE",
+        "the first value was not above the second, without signs",
+        "první hodnota nebyla větší než druhá, bez znamének"
+    ),
     jump!("JC", "the carry flag is 1", "příznak přenosu je 1"),
     jump!("JE", "the values were equal", "hodnoty byly stejné"),
     jump!("JG", "the first value was greater, with signs", "první hodnota byla větší, se znaménky"),
     jump!("JGE", "the first value was not less, with signs", "první hodnota nebyla menší, se znaménky"),
     jump!("JL", "the first value was less, with signs", "první hodnota byla menší, se znaménky"),
     jump!("JLE", "the first value was not greater, with signs", "první hodnota nebyla větší, se znaménky"),
-    jump!("JNA", "the first value was not above the second, without signs", "první hodnota nebyla větší než druhá, bez znamének"),
-    jump!("JNAE", "the first value was below the second, without signs", "první hodnota byla menší než druhá, bez znamének"),
-    jump!("JNB", "the first value was not below the second, without signs", "první hodnota nebyla menší než druhá, bez znamének"),
-    jump!("JNBE", "the first value was above the second, without signs", "první hodnota byla větší než druhá, bez znamének"),
+    jump!(
+        "JNA",
+        "the first value was not above the second, without signs",
+        "první hodnota nebyla větší než druhá, bez znamének"
+    ),
+    jump!(
+        "JNAE",
+        "the first value was below the second, without signs",
+        "první hodnota byla menší než druhá, bez znamének"
+    ),
+    jump!(
+        "JNB",
+        "the first value was not below the second, without signs",
+        "první hodnota nebyla menší než druhá, bez znamének"
+    ),
+    jump!(
+        "JNBE",
+        "the first value was above the second, without signs",
+        "první hodnota byla větší než druhá, bez znamének"
+    ),
     jump!("JNC", "the carry flag is 0", "příznak přenosu je 0"),
     jump!("JNE", "the values differed", "hodnoty se lišily"),
     jump!("JNG", "the first value was not greater, with signs", "první hodnota nebyla větší, se znaménky"),
@@ -469,13 +547,29 @@ pub(super) static ENTRIES: &[Entry] = &[
     jump!("JNL", "the first value was not less, with signs", "první hodnota nebyla menší, se znaménky"),
     jump!("JNLE", "the first value was greater, with signs", "první hodnota byla větší, se znaménky"),
     jump!("JNO", "the overflow flag is 0", "příznak přetečení je 0"),
-    jump!("JNP", "the low byte of the result has an odd number of ones", "nejnižší bajt výsledku má lichý počet jedniček"),
+    jump!(
+        "JNP",
+        "the low byte of the result has an odd number of ones",
+        "nejnižší bajt výsledku má lichý počet jedniček"
+    ),
     jump!("JNS", "the sign flag is 0", "příznak znaménka je 0"),
     jump!("JNZ", "the result was not 0", "výsledek nebyl 0, příznak nuly tedy není nastaven"),
     jump!("JO", "the overflow flag is 1", "příznak přetečení je 1"),
-    jump!("JP", "the low byte of the result has an even number of ones", "nejnižší bajt výsledku má sudý počet jedniček"),
-    jump!("JPE", "the low byte of the result has an even number of ones", "nejnižší bajt výsledku má sudý počet jedniček"),
-    jump!("JPO", "the low byte of the result has an odd number of ones", "nejnižší bajt výsledku má lichý počet jedniček"),
+    jump!(
+        "JP",
+        "the low byte of the result has an even number of ones",
+        "nejnižší bajt výsledku má sudý počet jedniček"
+    ),
+    jump!(
+        "JPE",
+        "the low byte of the result has an even number of ones",
+        "nejnižší bajt výsledku má sudý počet jedniček"
+    ),
+    jump!(
+        "JPO",
+        "the low byte of the result has an odd number of ones",
+        "nejnižší bajt výsledku má lichý počet jedniček"
+    ),
     jump!("JS", "the sign flag is 1", "příznak znaménka je 1"),
     jump!("JZ", "the result was 0", "výsledek byl 0, příznak nuly je tedy nastaven"),
     known("ENTER", JUMPS),

@@ -35,7 +35,11 @@ fn what_the_target_has_not_of_the_80386_is_named() {
     ] {
         let text = refusal("Q: DS 8\n", &format!("{line}\n"));
         let errors: Vec<&str> = text.lines().filter(|line| line.contains("T0801")).collect();
-        assert_eq!(errors, [format!("main.plc:6:1 T0801 not executable on this target yet: {named}")], "{line}: {text}");
+        assert_eq!(
+            errors,
+            [format!("main.plc:6:1 T0801 not executable on this target yet: {named}")],
+            "{line}: {text}"
+        );
     }
 }
 

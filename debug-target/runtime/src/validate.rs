@@ -171,7 +171,9 @@ impl<'a> Checker<'a> {
             Op::Edge { bit, state, .. } => self.bit(bit).and(self.range(state, 1)),
             Op::MoveBit { dst, src, .. } => self.bit(dst).and(self.bit(src)),
             Op::Assembler { function, width, to, from } => self.assembler(function, width, to, from),
-            Op::AssemblerJump { target, .. } | Op::Jump { target, .. } | Op::Raster { end: target, .. } => self.target(target),
+            Op::AssemblerJump { target, .. } | Op::Jump { target, .. } | Op::Raster { end: target, .. } => {
+                self.target(target)
+            }
             Op::Load { src, width, .. } | Op::Compare { src, width, .. } => self.source(src, width),
             Op::Store { dst, width, .. } => self.place(dst, width.bytes()),
             Op::Move { dst, src, width, .. } => {

@@ -8,8 +8,16 @@ use crate::plc::{Plc, check};
 fn registers_are_views_of_rlo_dr_and_the_index() {
     const Q: &str = "QWRD.Q1=1122334455667788h";
     check(&[
-        (Q, "LOD QWRD.Q1 / MOV D1,ECX / MOV W1,CX / MOV B1,CL / MOV B2,CH", "D1=55667788h W1=7788h B1=88h B2=77h"),
-        (Q, "LOD QWRD.Q1 / MOV D1,EDX / MOV W1,DX / MOV B1,DL / MOV B2,DH", "D1=11223344h W1=3344h B1=44h B2=33h"),
+        (
+            Q,
+            "LOD QWRD.Q1 / MOV D1,ECX / MOV W1,CX / MOV B1,CL / MOV B2,CH",
+            "D1=55667788h W1=7788h B1=88h B2=77h",
+        ),
+        (
+            Q,
+            "LOD QWRD.Q1 / MOV D1,EDX / MOV W1,DX / MOV B1,DL / MOV B2,DH",
+            "D1=11223344h W1=3344h B1=44h B2=33h",
+        ),
         (Q, "LOD QWRD.Q1 / MOV CX,1 / MOV DH,2", "DR64=1122024455660001h"),
         (Q, "LOD QWRD.Q1 / MOV ECX,-1", "DR64=11223344FFFFFFFFh"),
         (Q, "LOD QWRD.Q1 / MOV EDX,0", "DR64=55667788h"),

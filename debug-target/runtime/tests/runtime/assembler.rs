@@ -51,7 +51,8 @@ fn reference(subtract: bool, bits: u32, a: u32, b: u32) -> (u32, u16) {
 
 /// Numbers near the ends of all widths, and any others.
 fn a_number() -> impl Strategy<Value = u32> {
-    let near = prop::sample::select(vec![0_u32, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFF, 0x7FFF_FFFF, 0x8000_0000]);
+    let near =
+        prop::sample::select(vec![0_u32, 0x7F, 0x80, 0xFF, 0x7FFF, 0x8000, 0xFFFF, 0x7FFF_FFFF, 0x8000_0000]);
     prop_oneof![(near, 0..4_u32).prop_map(|(near, by)| near.wrapping_add(by).wrapping_sub(2)), any::<u32>()]
 }
 
@@ -104,7 +105,10 @@ fn rlo_is_a_bit_of_ah_and_dr_lies_in_ecx_and_edx() {
     check(put(General::A, Part::Low, 0x40), Registers { eax: 0x1111_1140, ..start });
     check(put(General::C, Part::Whole, 0xFFFF_FFFF), Registers { dr: 0x0123_4567_FFFF_FFFF, ..start });
     check(put(General::C, Part::High, 0), Registers { dr: 0x0123_4567_89AB_00EF, ..start });
-    check(put(General::D, Part::Whole, 0xFFFF_FFFF), Registers { dr: 0xFFFF_FFFF_89AB_CDEF_u64 as i64, ..start });
+    check(
+        put(General::D, Part::Whole, 0xFFFF_FFFF),
+        Registers { dr: 0xFFFF_FFFF_89AB_CDEF_u64 as i64, ..start },
+    );
     check(put(General::D, Part::Word, 0), Registers { dr: 0x0123_0000_89AB_CDEF, ..start });
     check(put(General::B, Part::Whole, 0x1_0002), Registers { bx: 0x1_0002, ..start });
 }
