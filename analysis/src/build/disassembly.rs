@@ -157,8 +157,8 @@ impl<'a> Disassembler<'a> {
             Op::IntToReal(width) => format!("REAL{}", width_keyword(*width)),
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
             Op::Assembler { function, width, to, from } => {
-                let cell = |place: &Place| self.place(*place, *width);
-                assembler::text(*function, to, from, cell)
+                let cell = |place| self.place(place, *width);
+                assembler::text(*function, *to, *from, cell)
             }
             other => format!("{other:?}"),
         }
