@@ -72,9 +72,9 @@ pub(super) fn jump(condition: Condition) -> &'static str {
 }
 
 /// An instruction as text.
-pub(super) fn text(function: Function, to: &Given, from: &Given, cell: impl Fn(&Place) -> String) -> String {
+pub(super) fn text(function: Function, to: Given, from: Given, cell: impl Fn(Place) -> String) -> String {
     let name = FUNCTIONS.iter().find(|(_, known)| *known == function).map_or("?", |(name, _)| name);
-    let operand = |operand: &Given| match operand {
+    let operand = |operand: Given| match operand {
         Given::Register(register) => register.name().to_owned(),
         Given::Cell(place) => cell(place),
         Given::Number(value) => value.to_string(),

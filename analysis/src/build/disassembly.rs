@@ -160,8 +160,8 @@ impl<'a> Disassembler<'a> {
             Op::IndexFromDr => "MOV BX,CX".to_owned(),
             Op::SelectBlock { offset, len } => format!("{{BLK[BX]: {len} bytes at {offset}}}"),
             Op::Assembler { function, width, to, from } => {
-                let cell = |place: &Place| self.place(*place, *width);
-                assembler::text(*function, to, from, cell)
+                let cell = |place| self.place(place, *width);
+                assembler::text(*function, *to, *from, cell)
             }
             other => format!("{other:?}"),
         }

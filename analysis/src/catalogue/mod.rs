@@ -14,6 +14,7 @@ pub mod page;
 pub mod symbol;
 
 mod assembler;
+mod assembler_jumps;
 mod chapter10;
 mod chapter12;
 mod chapter13;
@@ -189,6 +190,7 @@ static CHAPTERS: &[&[Entry]] = &[
     chapter27::ENTRIES,
     chapter27_words::ENTRIES,
     assembler::ENTRIES,
+    assembler_jumps::ENTRIES,
 ];
 
 static BY_NAME: LazyLock<HashMap<&'static str, &'static Entry>> =

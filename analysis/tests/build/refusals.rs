@@ -37,7 +37,7 @@ fn what_the_target_has_not_of_the_80386_is_named() {
         let errors: Vec<&str> = text.lines().filter(|line| line.contains("T0801")).collect();
         assert_eq!(
             errors,
-            [format!("main.plc:6:1 T0801 not executable on this target yet: {named}")],
+            [format!("main.plc:5:1 T0801 not executable on this target yet: {named}")],
             "{line}: {text}"
         );
     }
