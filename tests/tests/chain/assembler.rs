@@ -170,8 +170,8 @@ const JUMPS: [Jump; 30] = [
     ("JNS", |_, _, _, difference| difference >= 0),
     ("JO", |a, b, _, difference| a - b != difference),
     ("JNO", |a, b, _, difference| a - b == difference),
-    ("JP", |_, _, _, difference| (difference as u8).count_ones() % 2 == 0),
-    ("JPE", |_, _, _, difference| (difference as u8).count_ones() % 2 == 0),
+    ("JP", |_, _, _, difference| (difference as u8).count_ones().is_multiple_of(2)),
+    ("JPE", |_, _, _, difference| (difference as u8).count_ones().is_multiple_of(2)),
     ("JNP", |_, _, _, difference| (difference as u8).count_ones() % 2 == 1),
     ("JPO", |_, _, _, difference| (difference as u8).count_ones() % 2 == 1),
 ];
