@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use technol_image::{DebugInfo, Program};
-use technol_machine::{BlockExtra, BlockMode, BlockStart};
+use technol_machine::{BlockMode, BlockStart};
 use technol_runtime::{Command, RuntimeEvent};
 use technol_target::Simulation;
 
@@ -321,6 +321,6 @@ fn block_of_annulment() -> BlockStart {
         motion_ms: 0,
         rapid: false,
         mode: BlockMode::CentralAnnulment,
-        extra: BlockExtra::default(),
+        extra: Box::default(),
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn block(table: &DeTable<'_>, source: &mut Source<'_>) -> BlockStart 
         motion_ms: motion_ms.unwrap_or(0) as u32,
         rapid: rapid.unwrap_or(false),
         mode: mode.unwrap_or_default(),
-        extra: extra(table, source),
+        extra: Box::new(extra(table, source)),
     }
 }
 
