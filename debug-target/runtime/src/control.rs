@@ -130,17 +130,10 @@ impl Call<'_> {
     /// # Errors
     /// BX leads outside memory.
     pub fn integer(&self, n: usize) -> Result<Option<i64>, FaultKind> {
-        Ok(match self.arg(n) {
-            Arg::Int(value) => Some(*value),
-            Arg::Real(value) => Some(*value as i64),
-            Arg::Cell { width: Width::Real, .. } => self.real(n)?.map(|value| value as i64),
-            Arg::Cell { place, width, neg } => {
-                let value = self.memory.read(*place, *width, self.regs.bx)?;
-                Some(if *neg { sign_extend(*width, value.wrapping_neg()) } else { value })
-            }
-            Arg::Bit { bit, neg } => Some(i64::from(self.memory.bit(*bit, self.regs.bx)? != *neg)),
-            _ => None,
-        })
+        match self.real_operand(n)? {
+            Some(value) => Ok(Some(value as i64)),
+            None => self.integer_operand(n),
+        }
     }
 
     /// Real value of operand `n`; an integer is converted.
@@ -148,15 +141,36 @@ impl Call<'_> {
     /// # Errors
     /// BX leads outside memory.
     pub fn real(&self, n: usize) -> Result<Option<f64>, FaultKind> {
+        match self.real_operand(n)? {
+            Some(value) => Ok(Some(value)),
+            None => Ok(self.integer_operand(n)?.map(|value| value as f64)),
+        }
+    }
+
+    /// A real constant or cell.
+    fn real_operand(&self, n: usize) -> Result<Option<f64>, FaultKind> {
         match self.arg(n) {
             Arg::Real(value) => Ok(Some(*value)),
             Arg::Cell { place, width: Width::Real, neg } => {
-                let value =
-                    f64::from_bits(self.memory.read(*place, Width::Real, self.regs.bx)?.cast_unsigned());
+                let bits = self.memory.read(*place, Width::Real, self.regs.bx)?;
+                let value = f64::from_bits(bits.cast_unsigned());
                 Ok(Some(if *neg { -value } else { value }))
             }
-            _ => Ok(self.integer(n)?.map(|value| value as f64)),
+            _ => Ok(None),
         }
+    }
+
+    /// An operand that is no real.
+    fn integer_operand(&self, n: usize) -> Result<Option<i64>, FaultKind> {
+        Ok(match self.arg(n) {
+            Arg::Int(value) => Some(*value),
+            Arg::Cell { place, width, neg } => {
+                let value = self.memory.read(*place, *width, self.regs.bx)?;
+                Some(if *neg { sign_extend(*width, value.wrapping_neg()) } else { value })
+            }
+            Arg::Bit { bit, neg } => Some(i64::from(self.memory.bit(*bit, self.regs.bx)? != *neg)),
+            _ => None,
+        })
     }
 
     /// Address of operand `n` in memory, and how many bytes may be used there: those of the cell, those up to the end of the
@@ -222,12 +236,7 @@ impl Call<'_> {
     /// # Errors
     /// BX leads outside memory.
     pub fn store(&mut self, n: usize, value: i64) -> Result<(), FaultKind> {
-        match self.args.get(n) {
-            Some(Arg::Cell { width: Width::Real, .. }) => self.store_real(n, value as f64),
-            Some(Arg::Cell { place, width, .. }) => self.memory.write(*place, *width, self.regs.bx, value),
-            Some(Arg::Bit { bit, .. }) => self.memory.set_bit(*bit, self.regs.bx, value != 0),
-            _ => Ok(()),
-        }
+        self.store_number(n, value, value as f64)
     }
 
     /// Writes a real to the cell at operand `n`; an integer cell gets it rounded toward zero.
@@ -235,11 +244,18 @@ impl Call<'_> {
     /// # Errors
     /// BX leads outside memory.
     pub fn store_real(&mut self, n: usize, value: f64) -> Result<(), FaultKind> {
+        self.store_number(n, value as i64, value)
+    }
+
+    fn store_number(&mut self, n: usize, integer: i64, real: f64) -> Result<(), FaultKind> {
+        let bx = self.regs.bx;
         match self.args.get(n) {
             Some(Arg::Cell { place, width: Width::Real, .. }) => {
-                self.memory.write(*place, Width::Real, self.regs.bx, value.to_bits().cast_signed())
+                self.memory.write(*place, Width::Real, bx, real.to_bits().cast_signed())
             }
-            _ => self.store(n, value as i64),
+            Some(Arg::Cell { place, width, .. }) => self.memory.write(*place, *width, bx, integer),
+            Some(Arg::Bit { bit, .. }) => self.memory.set_bit(*bit, bx, integer != 0),
+            _ => Ok(()),
         }
     }
 

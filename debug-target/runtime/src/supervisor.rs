@@ -85,7 +85,10 @@ impl Runtime {
         }
         let start = self.commands.iter().rposition(|c| matches!(c, Command::StartPlc { .. }));
         if let Some(at) = start {
-            self.commands.drain(..at);
+            // One by one: what `drain` does with the rest looks like recursion to whoever measures the stack.
+            for _ in 0..at {
+                self.commands.pop_front();
+            }
             self.debugger.stop = None;
             self.debugger.focus = Line::Main;
             self.position = None;
