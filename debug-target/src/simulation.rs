@@ -60,7 +60,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
-            control: SimulatedControl::new(),
+            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -87,6 +87,16 @@ impl Simulation {
     /// The machine, for its faults and keys.
     pub fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// The control around the program.
+    pub fn control(&self) -> &SimulatedControl {
+        &self.control
+    }
+
+    /// The control, for what an operator does with it.
+    pub fn control_mut(&mut self) -> &mut SimulatedControl {
+        &mut self.control
     }
 
     /// Input ports as the PLC will see them.

@@ -156,6 +156,13 @@ const SERVICES: &[Service] = &[
     Service::MemCpy,
     Service::MemCmp,
     Service::Edef,
+    Service::MapIn,
+    Service::MapOut,
+    Service::MapAin,
+    Service::MapAout,
+    Service::DefIn,
+    Service::DefOut,
+    Service::UpdateIn,
 ];
 
 /// How `mnemonic` (upper case) is translated; `None` when the target has no code for it.

@@ -11,6 +11,7 @@ use crate::block::{BlockStart, Program};
 use crate::compile::{Compiler, ConfigError};
 use crate::config::MachineConfig;
 use crate::contact::Contact;
+use crate::control::elements;
 use crate::encoder::Encoder;
 use crate::fault::Fault;
 use crate::key::Key;
@@ -105,6 +106,7 @@ impl Plant {
             plant.faults.extend(Fault::compile(fault, &mut compiler));
         }
         plant.programs = Program::compile(&config.block, &mut compiler);
+        elements::config::check(config, &mut compiler);
         compiler.enter("io", None);
         let fast = &config.io;
         plant.fast_inputs =

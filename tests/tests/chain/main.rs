@@ -7,6 +7,7 @@ mod arithmetic;
 mod bits;
 mod comparisons;
 mod data;
+mod elements;
 mod lathe;
 mod macros;
 mod mechanisms;

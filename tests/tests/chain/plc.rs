@@ -4,6 +4,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
+use technol_machine::MachineConfig;
 use technol_target::Simulation;
 
 use crate::frame;
@@ -73,13 +74,25 @@ impl Plc {
 
     /// A program of these lines of MODULE_INIT and MODULE_MAIN, past MODULE_INIT.
     pub(crate) fn with_init(init: &str, main: &str) -> Plc {
+        Plc::with_modules(init, main, "")
+    }
+
+    /// The same with other modules, written in full.
+    pub(crate) fn with_modules(init: &str, main: &str, modules: &str) -> Plc {
+        Plc::on_machine(None, init, main, modules)
+    }
+
+    /// The same in front of a machine.
+    pub(crate) fn on_machine(machine: Option<&MachineConfig>, init: &str, main: &str, modules: &str) -> Plc {
         let lines = |text: &str| -> Vec<String> {
             text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
         };
         let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
+        let modules: String = modules.split(" / ").map(|line| format!("{}\n", indented(line))).collect();
+        let source = source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1);
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
+        let mut simulation = Simulation::new(built.image.program, machine).expect("it can be loaded");
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
@@ -92,6 +105,28 @@ impl Plc {
             self.simulation.cycle(&mut events);
         }
         events
+    }
+
+    /// The control around the program.
+    pub(crate) fn control(&mut self) -> &mut technol_machine::SimulatedControl {
+        self.simulation.control_mut()
+    }
+
+    /// Output ports as the machine sees them.
+    pub(crate) fn ports(&self) -> &[u8] {
+        self.simulation.runtime().outputs()
+    }
+
+    /// Input ports as the machine drives them.
+    pub(crate) fn input_ports(&mut self) -> &mut [u8] {
+        self.simulation.inputs_mut()
+    }
+
+    /// So many milliseconds.
+    pub(crate) fn tick(&mut self, millis: u32) {
+        for _ in 0..millis {
+            self.simulation.tick(&mut Vec::new());
+        }
     }
 
     /// Starts the PLC again, past MODULE_INIT.
