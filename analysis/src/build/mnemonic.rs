@@ -199,6 +199,13 @@ const SERVICES: &[Service] = &[
     Service::Regul4,
     Service::Regul5,
     Service::Regul6,
+    Service::MapIn,
+    Service::MapOut,
+    Service::MapAin,
+    Service::MapAout,
+    Service::DefIn,
+    Service::DefOut,
+    Service::UpdateIn,
 ];
 
 /// How `mnemonic` (upper case) is translated; `None` when the target has no code for it.

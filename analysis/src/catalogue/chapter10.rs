@@ -1,7 +1,7 @@
 //! Chapter 10: mapping of inputs and outputs.
 
 use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
-use super::pattern::{UNMODELLED, example, form, operand, text};
+use super::pattern::{INSTRUCTION, example, form, operand, text};
 
 const fn bit(en: &'static str, cs: &'static str) -> OperandSpec {
     operand("bit", OperandKind::Declares(NewCell::Bit), en, cs)
@@ -98,7 +98,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Tři vstupy: bez náhradní hodnoty, s bezpečnou hodnotou 1 a jeden pro MODULE_FAST.",
         )],
         related: &["MAP_OUT", "DEF_IN", "FAST", "EDEF"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "MAP_OUT",
@@ -149,7 +149,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Běžný výstup a výstup, který řídí MODULE_FAST.",
         )],
         related: &["MAP_IN", "DEF_OUT", "FAST"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "MAP_AIN",
@@ -204,7 +204,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Hlídá tlak vzduchu; není-li čidlo v konfiguraci, bere se 6.0.",
         )],
         related: &["MAP_AOUT", "DEF_IN", "REAL", "CAN_SYSIO_READ"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "MAP_AOUT",
@@ -259,6 +259,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Dopravník začíná v klidu a potom se nastaví na 7,5 V.",
         )],
         related: &["MAP_AIN", "DEF_OUT", "REAL"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

@@ -2,7 +2,7 @@
 
 use super::cell_type::CELL_TYPES;
 use super::entry::{ConfigElement, Effect, Entry, NewCell, OperandKind, OperandSpec, Place};
-use super::pattern::{STRUCTURE, UNMODELLED, example, form, operand, text};
+use super::pattern::{INSTRUCTION, STRUCTURE, example, form, operand, text};
 
 const fn identifier(element: ConfigElement) -> OperandSpec {
     operand(
@@ -66,14 +66,20 @@ pub(super) static ENTRIES: &[Entry] = &[
              An identifier has no group before it and no index behind it; indexes inside it, `Servo[8].Status`, are \
              part of the name, and `[0]` is the same as none. `cell[n]` is element n, counted from 0. A text of \
              TYPE_STR and a block of TYPE_BIN have 255 bytes, or n (this implementation). RLO and DR stay (this \
-             implementation).",
+             implementation).\n\n\
+             Converted to a shorter cell, an integer gives its low bits; a real is rounded, ties to even, and held \
+             within the range of the cell; any number but 0 is 1 in a bit; between numbers and texts nothing is \
+             converted (this implementation).",
             "Buňka je cílem `PLC.Input.ID` elementu `Connection` v souboru ChannelConfig; zdrojem může být logický \
              výstup, jednotka CAN nebo EtherCAT či sám systém a hodnota se převede na daný typ. Zapisovat do ní \
              mohou i dialogy. Nesmí být deklarována pomocí DFM ani DS; platí ve všech souborech a sdílí se i bez \
              SHARE_VAR. Bez spojení si drží `default` nebo to, co zapíše program.\n\n\
              Identifikátor nemá před sebou skupinu ani za sebou index; indexy uvnitř, `Servo[8].Status`, jsou \
              součástí jména a `[0]` je totéž co žádný. `cell[n]` je prvek n počítaný od 0. Text TYPE_STR a blok \
-             TYPE_BIN mají 255 bajtů, nebo n (tato implementace). RLO ani DR se nemění (tato implementace).",
+             TYPE_BIN mají 255 bajtů, nebo n (tato implementace). RLO ani DR se nemění (tato implementace).\n\n\
+             Při převodu do kratší buňky se z celého čísla vezmou nejnižší bity; reálné číslo se zaokrouhlí, polovina \
+             k sudému, a omezí na rozsah buňky; nenulové číslo je v bitu 1; mezi čísly a texty se nepřevádí (tato \
+             implementace).",
         ),
         examples: &[example(
             concat!(
@@ -91,7 +97,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Bit každou milisekundu, REAL s náhradní hodnotou a pole tří prvků.",
         )],
         related: &["DEF_OUT", "UPDATE_IN", "MAP_IN", "TYPE_BIT", "SLOW"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "DEF_OUT",
@@ -129,7 +135,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Bit, který začíná jako 1, a řídicí slovo obsluhované každou milisekundu.",
         )],
         related: &["DEF_IN", "MAP_OUT", "TYPE_UNS_16", "SLOW"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "UPDATE_IN",
@@ -168,7 +174,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Celý vstup a jeden prvek pole.",
         )],
         related: &["DEF_IN", "ONDEMAND"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "MODULE_CYCLICOPERATION",

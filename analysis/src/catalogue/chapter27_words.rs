@@ -11,10 +11,10 @@ pub(super) const SHARED_TYPES: &[&str] = CELL_TYPES.split_at(1).1;
 /// Manual chapter of these words.
 pub(super) const CHAPTER: &str = "27.6";
 
-const PERIOD: Entry = Entry { chapter: CHAPTER, executable: false, ..KEYWORD };
+const WORD: Entry = Entry { chapter: CHAPTER, ..KEYWORD };
 
 const fn period(name: &'static str, summary: Bilingual, description: Bilingual) -> Entry {
-    Entry { name, summary, description, ..PERIOD }
+    Entry { name, summary, description, ..WORD }
 }
 
 /// The page of a type: its name, what it is, what a program needs to know, two related words.
@@ -37,7 +37,7 @@ macro_rules! cell_type {
                 concat!("Deklaruje logický vstup: ", $cs, "."),
             )],
             related: $related,
-            ..PERIOD
+            ..WORD
         }
     };
     ($name:literal is $other:literal, $en:literal, $cs:literal) => {
@@ -61,7 +61,7 @@ macro_rules! cell_type {
                 concat!("Deklaruje logický výstup: ", $cs, "."),
             )],
             related: &[$other, "DEF_OUT"],
-            ..PERIOD
+            ..WORD
         }
     };
 }

@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use serde::Deserialize;
 
 use crate::block::{BlockFlag, BlockMode};
+pub use crate::control::elements::config::{Input, Link, Number, Output, Value};
 use crate::drive::{Outputs, Signals};
 use crate::motion::Thousandths;
 use crate::motion::config::{Axis, Spindle};
@@ -49,6 +50,12 @@ pub struct MachineConfig {
     pub fault: Vec<Fault>,
     /// `[[block]]`.
     pub block: Vec<Block>,
+    /// `[[input]]`.
+    pub input: Vec<Input>,
+    /// `[[output]]`.
+    pub output: Vec<Output>,
+    /// `[[link]]`.
+    pub link: Vec<Link>,
 }
 
 /// About the machine.

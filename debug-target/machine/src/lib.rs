@@ -33,7 +33,7 @@ mod wiring;
 pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use control::SimulatedControl;
+pub use control::{Conversion, ElementError, ElementValue, SimulatedControl};
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};

@@ -11,6 +11,7 @@ use crate::block::{BlockStart, Program};
 use crate::compile::{Compiler, ConfigError};
 use crate::config::MachineConfig;
 use crate::contact::Contact;
+use crate::control::elements;
 use crate::counter::Counter;
 use crate::drive::World;
 use crate::element::{Element, Mounted};
@@ -118,6 +119,7 @@ impl Plant {
         plant.control_keys = ControlKeys::compile(config, &mut compiler);
         plant.control = settings::settings(config, &mut compiler);
         plant.apply_faults();
+        elements::config::check(config, &mut compiler);
         compiler.enter("io", None);
         let fast = &config.io;
         plant.fast_inputs =

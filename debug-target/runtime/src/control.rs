@@ -59,6 +59,11 @@ pub trait Control {
         let _ = (rate, millis, memory);
     }
 
+    /// Between MODULE_CYCLICOPERATION, if the program has one, and MODULE_FAST: links of 1 ms are served once more.
+    fn fast_links(&mut self, millis: u64, memory: &mut [u8]) {
+        let _ = (millis, memory);
+    }
+
     /// The next message the control reports by itself; asked after the outputs of each cycle until there is none.
     fn next_message(&mut self) -> Option<ControlMessage> {
         None

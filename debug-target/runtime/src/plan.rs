@@ -52,6 +52,8 @@ pub(crate) enum Job {
     FastInputs,
     /// Copy the fast output ports.
     FastOutputs,
+    /// What the control copies between MODULE_CYCLICOPERATION and MODULE_FAST.
+    FastLinks,
     /// What the control copies before a pass of MODULE_FASTEST.
     FastestInputs,
     /// What the control copies after a pass of MODULE_FASTEST.
@@ -101,7 +103,10 @@ impl Plans {
             Vec::new()
         };
         let mut fast = vec![Job::FastInputs];
-        fast.extend(modules(ModuleKind::CyclicOperation));
+        if modules(ModuleKind::CyclicOperation).next().is_some() {
+            fast.extend(modules(ModuleKind::CyclicOperation));
+            fast.push(Job::FastLinks);
+        }
         fast.extend(modules(ModuleKind::Fast));
         for _ in 0..fastest {
             fast.extend(around(&[Job::FastestInputs], ModuleKind::Fastest, &[Job::FastestOutputs]));

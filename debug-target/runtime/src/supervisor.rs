@@ -300,6 +300,7 @@ impl Runtime {
                     ports::copy_output(memory, &mut self.outputs, &self.shorted, *port);
                 }
             }
+            Job::FastLinks => world.control.fast_links(millis, memory.bytes_mut()),
             Job::FastestInputs => world.control.inputs(Rate::Fastest, millis, memory.bytes_mut()),
             Job::FastestOutputs => world.control.outputs(Rate::Fastest, millis, memory.bytes_mut()),
             Job::Module(index) => return self.run_module(index, world),

@@ -10,6 +10,7 @@ mod bits;
 mod blocks;
 mod comparisons;
 mod data;
+mod elements;
 mod interface;
 mod lathe;
 mod macros;

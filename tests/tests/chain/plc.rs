@@ -77,10 +77,22 @@ impl Plc {
 
     /// A program of these lines of MODULE_INIT and MODULE_MAIN, past MODULE_INIT.
     pub(crate) fn with_init(init: &str, main: &str) -> Plc {
+        Plc::with_modules(init, main, "")
+    }
+
+    /// The same with other modules, written in full.
+    pub(crate) fn with_modules(init: &str, main: &str, modules: &str) -> Plc {
+        Plc::on_machine(None, init, main, modules)
+    }
+
+    /// The same in front of a machine.
+    pub(crate) fn on_machine(machine: Option<&MachineConfig>, init: &str, main: &str, modules: &str) -> Plc {
         let lines = |text: &str| -> Vec<String> {
             text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
         };
-        Plc::from_source(frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n")))
+        let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
+        let modules: String = modules.split(" / ").map(|line| format!("{}\n", indented(line))).collect();
+        Plc::load(source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
     }
 
     /// A program of these lines of MODULE_MAIN in front of a machine, past MODULE_INIT.
@@ -111,6 +123,28 @@ impl Plc {
             self.simulation.cycle(&mut events);
         }
         events
+    }
+
+    /// The control around the program.
+    pub(crate) fn control(&mut self) -> &mut technol_machine::SimulatedControl {
+        self.simulation.control_mut()
+    }
+
+    /// Output ports as the machine sees them.
+    pub(crate) fn ports(&self) -> &[u8] {
+        self.simulation.runtime().outputs()
+    }
+
+    /// Input ports as the machine drives them.
+    pub(crate) fn input_ports(&mut self) -> &mut [u8] {
+        self.simulation.inputs_mut()
+    }
+
+    /// So many milliseconds.
+    pub(crate) fn tick(&mut self, millis: u32) {
+        for _ in 0..millis {
+            self.simulation.tick(&mut Vec::new());
+        }
     }
 
     /// Starts the PLC again, past MODULE_INIT.

@@ -4,17 +4,22 @@
 use technol_image::service::Service;
 use technol_runtime::{Call, Control, ControlMessage, FaultKind, Rate};
 
-mod axes;
-mod messages;
-
-use messages::Messages;
-
 use crate::config::MachineConfig;
 use crate::motion::{Cells, Motion};
+use crate::signal::Signal;
+
+mod axes;
+pub(crate) mod elements;
+mod messages;
+
+use elements::Elements;
+pub use elements::{Conversion, ElementError, ElementValue};
+use messages::Messages;
 
 /// The control. Deterministic; a clone is a snapshot.
 #[derive(Clone, Debug, Default)]
 pub struct SimulatedControl {
+    elements: Elements,
     messages: Messages,
     motion: Motion,
 }
@@ -26,10 +31,14 @@ impl SimulatedControl {
         SimulatedControl::default()
     }
 
-    /// A control as at power-on with the axes and spindles of a machine.
+    /// A control as at power-on with what a machine describes.
     #[must_use]
     pub fn of(machine: &MachineConfig) -> SimulatedControl {
-        SimulatedControl { motion: Motion::new(machine), ..SimulatedControl::default() }
+        SimulatedControl {
+            elements: Elements::of(machine),
+            motion: Motion::new(machine),
+            ..SimulatedControl::default()
+        }
     }
 
     /// Axes and spindles.
@@ -42,11 +51,57 @@ impl SimulatedControl {
     pub fn motion_mut(&mut self) -> &mut Motion {
         &mut self.motion
     }
+
+    /// Sets an input that the program names by an identifier (MAP_IN, MAP_AIN, DEF_IN): `inDoor`, also as
+    /// `PLC.Input.inDoor`, in any case; `Pos[2]` is an element of an array. The cells that are bound to it follow at their period, also
+    /// those that are declared later. A wired input no longer follows its port.
+    ///
+    /// # Errors
+    /// The identifier is not one, or there are too many.
+    pub fn set_input(&mut self, id: &str, value: impl Into<ElementValue>) -> Result<(), ElementError> {
+        self.elements.set_input(id, value.into())
+    }
+
+    /// The output of this identifier (MAP_OUT, MAP_AOUT, DEF_OUT) as it last left the program; `None` when it never did
+    /// since the start of the PLC.
+    #[must_use]
+    pub fn output(&self, id: &str) -> Option<&ElementValue> {
+        self.elements.output(id)
+    }
+
+    /// Wires the element of an identifier to a bit of a port: an input to an input port, an output to an output port. What
+    /// is wired to a port that is not a fast one changes in each 20 ms only.
+    ///
+    /// # Errors
+    /// The identifier is not one, or there are too many.
+    pub fn wire(&mut self, id: &str, to: Signal, invert: bool) -> Result<(), ElementError> {
+        self.elements.wire(id, to, invert)
+    }
+
+    /// Links an output of the program to an input of it (manual 27.5). An input has one source: a link to it replaces an earlier one.
+    ///
+    /// # Errors
+    /// An identifier is not one, or there are too many.
+    pub fn connect(
+        &mut self,
+        source: &str,
+        destination: &str,
+        conversion: Conversion,
+    ) -> Result<(), ElementError> {
+        self.elements.connect(source, destination, conversion)
+    }
 }
 
 impl Control for SimulatedControl {
     fn service(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
         match call.service() {
+            Service::MapIn
+            | Service::MapOut
+            | Service::MapAin
+            | Service::MapAout
+            | Service::DefIn
+            | Service::DefOut => self.elements.declare(call),
+            Service::UpdateIn => self.elements.update(call),
             Service::Edef => self.messages.watch(call),
             other => {
                 let known = axes::service(&mut self.motion, call)?;
@@ -59,12 +114,18 @@ impl Control for SimulatedControl {
         if rate == Rate::Fast {
             self.motion.tick_ms(&mut Cells::new(memory));
         }
+        self.elements.serve(rate, true, memory);
     }
 
     fn outputs(&mut self, rate: Rate, _millis: u64, memory: &mut [u8]) {
+        self.elements.serve(rate, false, memory);
         if rate == Rate::Slow {
             self.messages.look(memory);
         }
+    }
+
+    fn fast_links(&mut self, _millis: u64, memory: &mut [u8]) {
+        self.elements.serve(Rate::Fast, true, memory);
     }
 
     fn next_message(&mut self) -> Option<ControlMessage> {
@@ -73,6 +134,7 @@ impl Control for SimulatedControl {
 
     fn start(&mut self, cold: bool) {
         self.motion.start(cold);
+        self.elements.start();
         self.messages = Messages::default();
     }
 }
