@@ -411,3 +411,13 @@ fn backed_up_memory_has_10000_bytes() {
     let kind = symbol("PLC_MEM_BACKUP").map(|symbol| symbol.kind);
     assert!(matches!(kind, Some(SystemKind::Area { len: 10_000, .. })), "{kind:?}");
 }
+
+#[test]
+fn the_control_knows_where_the_backed_up_memory_lies() {
+    use technol_image::system::data;
+    let kind = |name: &str| symbol(name).map(|symbol| symbol.kind);
+    let area = SystemKind::Area { addr: data::PLC_MEM_BACKUP, len: data::PLC_MEM_BACKUP_LEN };
+    assert_eq!(kind("PLC_MEM_BACKUP"), Some(area));
+    let request = data::REQ_BACKUP_MEM;
+    assert_eq!(kind("REQ_BACKUP_MEM"), Some(SystemKind::Bit { addr: request.addr, bit: request.bit }));
+}

@@ -6,6 +6,8 @@
 
 use crate::op::{Addr, BitRef};
 
+pub mod data;
+
 /// P1IN … P128IN: input ports.
 pub const IN_PORTS: Addr = 0x0000;
 /// Number of input ports.

@@ -24,7 +24,7 @@ mod turret;
 pub use block::{BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use control::SimulatedControl;
+pub use control::{Column, ControlData, Shared, SimulatedControl, Table, Value, ValueKind};
 pub use drive::Outputs;
 pub use plant::{Plant, PlantEvent, UnknownName};
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
