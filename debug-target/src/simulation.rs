@@ -7,9 +7,7 @@ use technol_image::{Program, system};
 use technol_machine::{
     BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, SimulatedControl,
 };
-use technol_runtime::{
-    Block, Command, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome,
-};
+use technol_runtime::{Block, Command, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome};
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;

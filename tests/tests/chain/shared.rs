@@ -52,7 +52,8 @@ fn rlo_tells_whether_a_name_was_accepted() {
 
 #[test]
 fn a_shared_area_is_granted_in_the_next_cycle() {
-    let mut plc = Plc::of("MECH_BEGIN M / LOD CNST.7 / SA_READ 1,10,4,D1 / EX0 / STO D2 / FL 1,O0 / MECH_END M");
+    let mut plc =
+        Plc::of("MECH_BEGIN M / LOD CNST.7 / SA_READ 1,10,4,D1 / EX0 / STO D2 / FL 1,O0 / MECH_END M");
     plc.control().shared_area_mut(1).expect("an area")[10..14].copy_from_slice(&[1, 2, 3, 4]);
     plc.set("M=1 D2=5");
     plc.run(1);
@@ -80,7 +81,8 @@ fn what_stands_before_a_transfer_is_executed_once() {
 
 #[test]
 fn bytes_outside_the_area_are_an_error() {
-    let mut plc = Plc::of("MECH_BEGIN M / SA_WRITE 0,W1,4,D1 / WR O2 / CONDR 0 / WR O0 / FL 1,O1 / MECH_END M");
+    let mut plc =
+        Plc::of("MECH_BEGIN M / SA_WRITE 0,W1,4,D1 / WR O2 / CONDR 0 / WR O0 / FL 1,O1 / MECH_END M");
     plc.set("M=1 W1=31997 OB=4");
     plc.run(1);
     holds(&plc, "OB=3 M=0");

@@ -17,12 +17,8 @@ fn data() -> ControlData {
         ("Blob", ValueKind::Bytes),
     ];
     let columns = columns.map(|(id, kind)| Column { id: text(id), kind }).to_vec();
-    let first = vec![
-        Value::Text(text("Steel")),
-        Value::Int(-3),
-        Value::Real(120.5),
-        Value::Bytes(vec![1, 2, 3]),
-    ];
+    let first =
+        vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
     let second = vec![Value::Text(text("Brass")), Value::Int(18)];
     ControlData { tables: vec![Table { columns, rows: vec![first, second] }], ..ControlData::default() }
 }

@@ -12,6 +12,7 @@ mod check;
 mod demo;
 mod explain;
 mod fmt;
+mod kept;
 mod ran;
 mod run;
 mod target;

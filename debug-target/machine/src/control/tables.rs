@@ -169,9 +169,7 @@ impl Request {
         let number = |n: usize| Ok(usize::try_from(unsigned(call, n)?).unwrap_or(usize::MAX));
         let nothing = Request { table: number(0)?, line: 0, column: 0, value: None, id: Vec::new() };
         Ok(match call.service() {
-            Service::PlctColIndex => {
-                Request { id: call.text(1)?.unwrap_or_default().to_vec(), ..nothing }
-            }
+            Service::PlctColIndex => Request { id: call.text(1)?.unwrap_or_default().to_vec(), ..nothing },
             Service::PlctColId => {
                 let index = operand::integer(call, 1)?;
                 Request { column: usize::try_from(index).unwrap_or(usize::MAX), ..nothing }
