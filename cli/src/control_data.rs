@@ -210,7 +210,10 @@ fn xml(id: &str, table: &Table) -> String {
                 // XML files know no infinity.
                 Some(Value::Real(value)) => if value.is_finite() { value } else { 0.0 }.to_string(),
                 Some(Value::Text(bytes)) => escaped(&control_text(&bytes)),
-                Some(Value::Bytes(bytes)) => bytes.iter().map(|byte| format!("{byte:02X}")).collect(),
+                Some(Value::Bytes(bytes)) => bytes.iter().fold(String::new(), |mut digits, byte| {
+                    let _ = write!(digits, "{byte:02X}");
+                    digits
+                }),
                 None => continue,
             };
             let _ = write!(text, "<Col ColID=\"{}\">{value}</Col>", escaped(&control_text(&column.id)));

@@ -8,9 +8,11 @@ use std::sync::Arc;
 
 use technol_machine::{ControlData, SimulatedControl, Table};
 
+type Write = dyn Fn(&[Table]) -> io::Result<()> + Send + Sync;
+
 /// Writes tables back to where they came from.
 #[derive(Clone)]
-pub struct TableWriter(Arc<dyn Fn(&[Table]) -> io::Result<()> + Send + Sync>);
+pub struct TableWriter(Arc<Write>);
 
 impl TableWriter {
     /// A writer that does this with all tables.

@@ -79,10 +79,8 @@ impl Tables {
         if !self.transfers.is_under_way(call) {
             self.transfers.begin(call, Request::of(call)?);
         }
-        let result = match self.transfers.end(call) {
-            Some(request) => Some(self.carry_out(tables, &request, call.service())),
-            None => None,
-        };
+        let ended = self.transfers.end(call);
+        let result = ended.map(|request| self.carry_out(tables, &request, call.service()));
         call.set_rlo(result.is_some());
         match result {
             Some(Err(error)) => call.set_dr(error),
