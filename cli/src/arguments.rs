@@ -107,6 +107,9 @@ pub(crate) struct RunArguments {
     /// Take 20 ms for each cycle instead of running as fast as possible
     #[arg(long)]
     pub(crate) realtime: bool,
+    /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) backup: Option<PathBuf>,
     /// Switch a fault of the machine on before a cycle (default: before cycle 0)
     #[arg(long, value_name = "NAME[@CYCLE]")]
     pub(crate) fault: Vec<String>,
@@ -158,6 +161,12 @@ pub(crate) struct TargetArguments {
     /// The machine behind the program
     #[arg(long, value_name = "machine.toml")]
     pub(crate) machine: Option<PathBuf>,
+    /// Project whose configuration files (parameters, constants, tables) the control has
+    #[arg(long, value_name = "PATH")]
+    pub(crate) configuration: Option<PathBuf>,
+    /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) backup: Option<PathBuf>,
     /// Clock of the program
     #[arg(long, value_enum, default_value = "real")]
     pub(crate) clock: ClockName,

@@ -3,7 +3,7 @@
 use std::io;
 use std::time::Duration;
 
-use technol_dap::{ByteLink, Clock, Connector, TargetSpec};
+use technol_dap::{ByteLink, Clock, Connector, Disk, TargetSpec};
 use technol_target::{Address, Link, TargetHandle, TargetOptions};
 
 /// Opens the links of technol-target for the adapter.
@@ -29,16 +29,26 @@ impl ByteLink for Wire {
 impl Connector for Targets {
     fn connect(&self, target: &TargetSpec) -> Result<Box<dyn ByteLink>, String> {
         match target {
-            TargetSpec::Embedded { machine, clock } => {
-                let machine = match machine {
+            TargetSpec::Embedded { project, machine: file, clock } => {
+                let machine = match file {
                     Some(path) => Some(technol_target::load_machine(path).map_err(|e| e.to_string())?),
                     None => None,
                 };
+                // A lone file has no configuration.
+                let manifest = project.join("technol.toml");
+                let loaded = manifest
+                    .is_file()
+                    .then(|| technol_analysis::project::load(&manifest.to_string_lossy(), &Disk));
+                let (data, keep) = crate::control_data::control_data(
+                    loaded.as_ref(),
+                    machine.as_ref().zip(file.as_deref()),
+                    None,
+                )?;
                 let clock = match clock {
                     Clock::Real => technol_target::Clock::Real,
                     Clock::Virtual => technol_target::Clock::Virtual,
                 };
-                let options = TargetOptions { clock, machine, ..TargetOptions::default() };
+                let options = TargetOptions { clock, machine, data, keep, ..TargetOptions::default() };
                 let (link, handle) = technol_target::spawn_embedded(options).map_err(|e| e.to_string())?;
                 Ok(Box::new(Wire { link: Box::new(link), _target: Some(handle) }))
             }

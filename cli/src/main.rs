@@ -4,6 +4,7 @@ mod arguments;
 mod build;
 mod check;
 mod connector;
+mod control_data;
 mod dap;
 mod demo;
 mod exit;

@@ -42,6 +42,14 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     let mut simulation =
         Simulation::new(program, machine.as_ref()).map_err(|e| Failure::usage(e.to_string()))?;
     changes.check(&simulation)?;
+    let machine_path = project.machine();
+    let (data, mut keep) = crate::control_data::control_data(
+        Some(&*project.loaded),
+        machine.as_ref().zip(machine_path.as_deref()),
+        arguments.backup.clone(),
+    )
+    .map_err(Failure::usage)?;
+    simulation.set_data(data);
 
     let mut events = Vec::new();
     simulation.start(true);
@@ -60,7 +68,10 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
             break;
         }
         done += 1;
+        keep.follow(simulation.control()).map_err(Failure::usage)?;
     }
+    simulation.power_off();
+    keep.follow(simulation.control()).map_err(Failure::usage)?;
     let outcome = report::Run { cycles: done, simulation: &simulation, debug: &debug, events: &events };
     outcome.print(&wanted, arguments.format);
     Ok(if simulation.runtime().fault().is_some() { exit::FAULT } else { exit::OK })

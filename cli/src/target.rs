@@ -8,6 +8,7 @@ use technol_target::{Address, Clock, Notice, TargetCore, TargetOptions};
 
 use crate::arguments::{ClockName, TargetArguments};
 use crate::exit::{self, Failure, Outcome};
+use crate::files::Project;
 
 /// Serves debuggers until the process is ended.
 pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
@@ -19,13 +20,20 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         Some(path) => Some(technol_target::load_machine(path).map_err(|e| Failure::usage(e.to_string()))?),
         None => None,
     };
+    let project = arguments.configuration.as_deref().map(Project::open).transpose()?;
+    let (data, keep) = crate::control_data::control_data(
+        project.as_ref().map(|project| &*project.loaded),
+        machine.as_ref().zip(arguments.machine.as_deref()),
+        arguments.backup.clone(),
+    )
+    .map_err(Failure::usage)?;
     let clock = match arguments.clock {
         ClockName::Real => Clock::Real,
         ClockName::Virtual => Clock::Virtual,
     };
-    let options = TargetOptions { clock, machine, program, start: arguments.start };
+    let options = TargetOptions { clock, machine, data, keep, program, start: arguments.start };
     let mut core = TargetCore::new(options).map_err(|e| Failure::usage(e.to_string()))?;
-    // Ended by the signal that ends the process; nothing has to be saved.
+    // Ended by the signal that ends the process; what was saved until then is in its files.
     let shutdown = AtomicBool::new(false);
     let mut tell = |notice: Notice| {
         let mut out = std::io::stdout().lock();

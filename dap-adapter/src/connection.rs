@@ -9,6 +9,8 @@ use std::time::Duration;
 pub enum TargetSpec {
     /// A target inside this process.
     Embedded {
+        /// Folder of the project, absolute: its configuration files are those of the control.
+        project: PathBuf,
         /// The simulated machine (`machine.toml`), absolute; `None`: no machine.
         machine: Option<PathBuf>,
         /// Which time it runs in.

@@ -5,12 +5,13 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use technol_image::container::{content_hash, hash_bytes};
 use technol_image::{ContentHash, Program};
-use technol_machine::MachineConfig;
+use technol_machine::{ControlData, MachineConfig};
 use technol_runtime::{Command, RateKind, Resume, RuntimeEvent, StopReason};
 use technol_wire::message::{Chunk, Event, PlcState, Status};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
+use crate::keep::Keep;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Wall time that virtual cycles may take before the link is looked at again.
@@ -33,6 +34,10 @@ pub struct TargetOptions {
     pub clock: Clock,
     /// The machine behind every program that is loaded.
     pub machine: Option<MachineConfig>,
+    /// What the control has on its disk before the first program.
+    pub data: ControlData,
+    /// Where changes of that are kept.
+    pub keep: Keep,
     /// Loaded at once.
     pub program: Option<Program>,
     /// Started at once (cold), as at power-on.
@@ -56,6 +61,8 @@ impl Download {
 pub struct TargetCore {
     clock: Clock,
     machine: Option<MachineConfig>,
+    data: ControlData,
+    keep: Keep,
     pub(crate) simulation: Option<Simulation>,
     pub(crate) program: Option<ContentHash>,
     pub(crate) download: Option<Download>,
@@ -75,11 +82,13 @@ impl TargetCore {
     /// # Errors
     /// A program or a machine that is wrong.
     pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
-        let TargetOptions { clock, machine, program, start } = options;
+        let TargetOptions { clock, machine, data, keep, program, start } = options;
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let mut core = TargetCore {
             clock,
             machine,
+            data,
+            keep,
             simulation: None,
             program: None,
             download: None,
@@ -106,10 +115,32 @@ impl TargetCore {
 
     /// Replaces the program; the old one stays when the new one is refused.
     pub(crate) fn load(&mut self, program: Program, hash: ContentHash) -> Result<(), SimulationError> {
-        self.simulation = Some(Simulation::new(program, self.machine.as_ref())?);
+        let mut simulation = Simulation::new(program, self.machine.as_ref())?;
+        self.power_off();
+        self.keep.restart();
+        simulation.set_data(self.data.clone());
+        self.simulation = Some(simulation);
         self.program = Some(hash);
         self.held = false;
         Ok(())
+    }
+
+    /// What the program in memory leaves behind is saved, as at a regular end.
+    fn power_off(&mut self) {
+        if let Some(simulation) = &mut self.simulation {
+            simulation.power_off();
+            self.data = simulation.control().data().clone();
+            self.keep_files();
+        }
+    }
+
+    /// Writes the files of what was saved.
+    fn keep_files(&mut self) {
+        if let Some(simulation) = &self.simulation
+            && let Err(error) = self.keep.follow(simulation.control())
+        {
+            self.events.push(Event::Log(error));
+        }
     }
 
     /// State at this moment.
@@ -231,6 +262,7 @@ impl TargetCore {
         } else {
             simulation.cycle(&mut self.occurred);
         }
+        self.keep_files();
         self.report();
     }
 
@@ -295,6 +327,12 @@ impl TargetCore {
             }
             self.events.clear();
         }
+    }
+}
+
+impl Drop for TargetCore {
+    fn drop(&mut self) {
+        self.power_off();
     }
 }
 

@@ -3,10 +3,13 @@
 use std::collections::VecDeque;
 
 use technol_image::Program;
+use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
 use technol_machine::{
-    BlockMode, BlockStart, ConfigError, MachineConfig, Plant, PlantEvent, SimulatedControl,
+    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, SimulatedControl,
 };
-use technol_runtime::{Block, Command, Gear, InputImage, LoadError, Runtime, RuntimeEvent, TickOutcome};
+use technol_runtime::{
+    Block, Command, Gear, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome,
+};
 
 use crate::part_program;
 
@@ -102,12 +105,12 @@ impl Simulation {
         &mut self.plant
     }
 
-    /// The control around the program.
+    /// The control around the PLC.
     pub fn control(&self) -> &SimulatedControl {
         &self.control
     }
 
-    /// The control, for what an operator does with it.
+    /// The control around the PLC, for what it has on its disk and what an operator does.
     pub fn control_mut(&mut self) -> &mut SimulatedControl {
         &mut self.control
     }
@@ -119,6 +122,19 @@ impl Simulation {
         let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
+    }
+
+    /// Replaces what the control has on its disk; PLC_MEM_BACKUP is loaded from there at once.
+    pub fn set_data(&mut self, data: ControlData) {
+        let bytes = data.backup.get(..PLC_MEM_BACKUP_LEN as usize).unwrap_or(&data.backup);
+        // The system region holds the area, so this does not fail.
+        let _ = self.runtime.write_memory(PLC_MEM_BACKUP, bytes);
+        self.control.set_data(data);
+    }
+
+    /// A regular end: what is kept while the power is off is saved.
+    pub fn power_off(&mut self) {
+        self.control.save_backup(self.runtime.memory());
     }
 
     /// Input ports as the PLC will see them.
@@ -154,9 +170,13 @@ impl Simulation {
             self.hand_over_blocks();
         }
         let (first, waiting) = (events.len(), self.runtime.waiting_blocks());
+        let was_running = self.runtime.state().is_cycling();
         let outcome = self.runtime.tick_with(&self.inputs, &mut self.control, events);
         if std::mem::take(&mut self.starting) {
             self.moved = None;
+        }
+        if was_running && self.runtime.state() == PlcState::Stopped {
+            self.power_off();
         }
         self.follow_blocks(&events[first..], waiting);
         outcome

@@ -19,7 +19,8 @@ use crate::syntax::section::SectionKind;
 #[must_use]
 pub fn lower(kind: SectionKind, own_lines: u32, body: &Body) -> SectionCode {
     let code = SectionCode { ops: Vec::with_capacity(body.statements.len() + 2), ..SectionCode::default() };
-    let mut lowering = Lowering { code, labels: HashMap::new(), jumps: Vec::new(), line: 0 };
+    let in_sequence = sequence_kind(kind).is_some();
+    let mut lowering = Lowering { code, labels: HashMap::new(), jumps: Vec::new(), line: 0, in_sequence };
     if !body.complete {
         lowering.problem(ProblemKind::Incomplete);
         return lowering.code;
@@ -62,6 +63,8 @@ struct Lowering {
     labels: HashMap<Arc<str>, u32>,
     jumps: Vec<(Jump, Arc<str>, u32)>,
     line: u32,
+    /// A mechanism or block module: it can wait.
+    in_sequence: bool,
 }
 
 impl Lowering {
@@ -106,6 +109,13 @@ impl Lowering {
             self.emit(selection);
         }
         let operands = Operands { name: entry.name, list: &instruction.operands };
+        // An instruction of several cycles acts as if BEX stood before it: the EX0 behind it comes back to it alone.
+        if entry.ex_type && matches!(form, Form::Service(_)) && self.in_sequence {
+            match self.point(entry.name) {
+                Ok(point) => self.emit(Op::Bex { point, line: 0 }),
+                Err(problem) => return self.problem(problem),
+            }
+        }
         if let Err(problem) = self.translate(form, instruction.push, &operands) {
             self.problem(problem);
         }

@@ -3,7 +3,7 @@
 use super::entry::{
     Access, Bilingual, ConfigElement, Effect, Entry, Equation, OperandKind, OperandSpec, Prefix, PrefixSet,
 };
-use super::pattern::{CELLS, UNMODELLED, VALUES, WRITE_BIT, example, form, operand, source, text};
+use super::pattern::{CELLS, INSTRUCTION, VALUES, WRITE_BIT, example, form, operand, source, text};
 
 /// Prefixes of an integer that a parameter or constant is stored in.
 const INTEGER_CELLS: PrefixSet = PrefixSet::of(&[Prefix::Byte, Prefix::Word, Prefix::Dwrd]);
@@ -79,7 +79,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Bez parametru je prodleva 50 a oznámí to hlášení.",
         )],
         related: &["CNF_GET_REAL", "CNF_GET_BIT", "CONST_GET"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CNF_GET_REAL",
@@ -133,7 +133,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "GAIN se vezme z konfigurace, jinak je 0.2; uloží se i dvojnásobek.",
         )],
         related: &["CNF_GET_INT", "REAL"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CNF_GET_STR",
@@ -175,7 +175,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "TITLE je `Lathe`, pokud konfigurace neříká něco jiného.",
         )],
         related: &["CNF_GET_INT", "CNF_GET_BIN", "STR", "STRCPY"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CNF_GET_BIN",
@@ -219,7 +219,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Naplní TABLE z konfigurace; bez parametru se TABLE nezmění.",
         )],
         related: &["CNF_GET_STR", "MEMCPY"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CNF_GET_BIT",
@@ -261,7 +261,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Zda má stroj sondu, říká bit, nikoli RLO.",
         )],
         related: &["CNF_GET_INT", "CONST_GET"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CONST_GET",
@@ -324,6 +324,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Načte dva posuny, a chybí-li některý, vydá jedno hlášení.",
         )],
         related: &["SA_READ", "SA_WRITE", "_ON_CMD", "CNF_GET_INT"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

@@ -4,7 +4,7 @@ use super::chapter27_words::SHARED_TYPES;
 use super::entry::{
     Access, ConfigElement, Effect, Entry, Equation, OperandKind, OperandSpec, Place, Prefix, PrefixSet,
 };
-use super::pattern::{MULTI_CYCLE, UNMODELLED, UNMODELLED_DATA, example, form, operand, source, text};
+use super::pattern::{INSTRUCTION, MULTI_CYCLE, UNMODELLED_DATA, example, form, operand, source, text};
 
 /// Length of a shared area in bytes (manual 18.3).
 const AREA_LEN: i64 = 32_000;
@@ -292,7 +292,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Číslo s mezemi, text a 16 bajtů z oblasti.",
         )],
         related: &["SHARE_BIT", "DEF_IN", "TYPE_DWORD"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "SHARE_BIT",
@@ -346,7 +346,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Bit samotný a bit na téže pozici v dalším bajtu.",
         )],
         related: &["SHARE_VAR", "DEF_IN", "DFM"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "SA_READ",
@@ -400,6 +400,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Načte REAL, jehož posun předtím přečetla CONST_GET.",
         )],
         related: &["SA_WRITE", "CONST_GET", "EX0", "SHARE_VAR"],
+        executable: true,
         ..MULTI_CYCLE
     },
     Entry {
@@ -448,6 +449,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Udržuje ve sdílené oblasti aktuální hodnotu DWORD.",
         )],
         related: &["SA_READ", "CONST_GET", "EX0", "SHARE_VAR"],
+        executable: true,
         ..MULTI_CYCLE
     },
 ];

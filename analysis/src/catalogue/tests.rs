@@ -446,3 +446,13 @@ fn axes_and_spindles_find_their_cells_where_the_catalogue_puts_them() {
         assert_eq!(kind(&name).bytes(), Some((motion::POSITION_POS1 + space * 128, 128)), "{name}");
     }
 }
+
+#[test]
+fn the_control_knows_where_the_backed_up_memory_lies() {
+    use technol_image::system::data;
+    let kind = |name: &str| symbol(name).map(|symbol| symbol.kind);
+    let area = SystemKind::Area { addr: data::PLC_MEM_BACKUP, len: data::PLC_MEM_BACKUP_LEN };
+    assert_eq!(kind("PLC_MEM_BACKUP"), Some(area));
+    let request = data::REQ_BACKUP_MEM;
+    assert_eq!(kind("REQ_BACKUP_MEM"), Some(SystemKind::Bit { addr: request.addr, bit: request.bit }));
+}

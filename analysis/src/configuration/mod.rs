@@ -93,6 +93,18 @@ pub fn read(kind: ConfigKind, text: &str) -> Configuration {
     Configuration { contents, problems, broken: false }
 }
 
+/// A text of a file as the control has it in memory: single bytes, shown in Windows-1250.
+#[must_use]
+pub fn control_bytes(text: &str) -> Vec<u8> {
+    crate::semantics::collect::text_bytes(text)
+}
+
+/// The text that bytes of the control stand for.
+#[must_use]
+pub fn control_text(bytes: &[u8]) -> String {
+    encoding_rs::WINDOWS_1250.decode_without_bom_handling(bytes).0.into_owned()
+}
+
 fn empty(kind: ConfigKind) -> Contents {
     match kind {
         ConfigKind::Channel => Contents::Channel(Channel::default()),

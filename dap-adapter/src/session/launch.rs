@@ -312,7 +312,7 @@ fn target_spec(
     use crate::connection::TargetSpec;
     let address = asked.or(project.target.as_deref()).map_or("embedded", str::trim);
     if address.is_empty() || address.eq_ignore_ascii_case("embedded") {
-        TargetSpec::Embedded { machine: project.machine.clone(), clock }
+        TargetSpec::Embedded { project: project.root.clone(), machine: project.machine.clone(), clock }
     } else {
         TargetSpec::Address(address.to_owned())
     }

@@ -6,6 +6,7 @@
 
 use crate::op::{Addr, BitRef};
 
+pub mod data;
 pub mod motion;
 
 /// P1IN … P128IN: input ports.

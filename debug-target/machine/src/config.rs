@@ -20,6 +20,8 @@ pub struct MachineConfig {
     pub machine: About,
     /// `[io]`.
     pub io: Io,
+    /// `[keep]`.
+    pub keep: Kept,
     /// `[[contact]]`.
     pub contact: Vec<Contact>,
     /// `[[limit]]`.
@@ -64,6 +66,16 @@ pub struct MachineConfig {
 pub struct About {
     /// For people.
     pub name: String,
+}
+
+/// What is kept in files while nothing runs.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Kept {
+    /// File of PLC_MEM_BACKUP, beside the machine file.
+    pub backup: Option<String>,
+    /// Changed PLC tables are written back to their files.
+    pub tables: bool,
 }
 
 /// Which ports are copied each millisecond, and how fast the fastest module is.

@@ -33,7 +33,10 @@ mod wiring;
 pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use control::{Conversion, ElementError, ElementValue, SimulatedControl};
+pub use control::{
+    Column, ControlData, Conversion, ElementError, ElementValue, Shared, SimulatedControl, Table, Value,
+    ValueKind,
+};
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};

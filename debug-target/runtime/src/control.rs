@@ -73,6 +73,11 @@ pub trait Control {
     fn start(&mut self, cold: bool) {
         let _ = cold;
     }
+
+    /// After a cold start has cleared memory and before MODULE_INIT: what is kept while the power is off comes back.
+    fn power_on(&mut self, memory: &mut [u8]) {
+        let _ = memory;
+    }
 }
 
 /// No control: programs that only compute.

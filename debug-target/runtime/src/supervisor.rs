@@ -111,6 +111,9 @@ impl Runtime {
             Command::StartPlc { cold } => {
                 self.start(cold, events);
                 world.control.start(cold);
+                if cold {
+                    world.control.power_on(self.machine.memory.bytes_mut());
+                }
                 return Some(PlanKind::Init);
             }
             Command::StopPlc { power_off } => {

@@ -153,6 +153,22 @@ impl Plc {
         self.simulation.tick(&mut Vec::new());
     }
 
+    /// The same after the power was off.
+    pub(crate) fn restart_cold(&mut self) {
+        self.simulation.start(true);
+        self.simulation.tick(&mut Vec::new());
+    }
+
+    /// Stops the PLC through MODULE_DONE.
+    pub(crate) fn stop(&mut self) {
+        self.simulation.runtime_mut().command(technol_runtime::Command::StopPlc { power_off: true });
+        self.simulation.cycle(&mut Vec::new());
+    }
+
+    pub(crate) fn memory(&self) -> &[u8] {
+        self.simulation.runtime().memory()
+    }
+
     pub(crate) fn run(&mut self, cycles: u32) {
         for _ in 0..cycles {
             self.simulation.cycle(&mut Vec::new());

@@ -13,6 +13,7 @@ mod demo;
 mod explain;
 mod explain_machine;
 mod fmt;
+mod kept;
 mod ran;
 mod run;
 mod target;

@@ -56,6 +56,7 @@ fn a_launch_builds_downloads_and_starts() {
     assert_eq!(
         *setup.mock.asked.lock().unwrap(),
         [TargetSpec::Embedded {
+            project: setup.folder.path().to_owned(),
             machine: Some(setup.folder.path().join("machine.toml")),
             clock: Clock::Real
         }]

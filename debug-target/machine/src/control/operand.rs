@@ -1,0 +1,61 @@
+//! Operands whose width the instruction decides and not the declaration.
+
+use alloc::vec::Vec;
+
+use technol_image::service::Arg;
+use technol_runtime::{Call, FaultKind};
+
+use super::data::Value;
+
+/// An integer: the value of a cell or constant, or the first four bytes of a text.
+pub(super) fn integer(call: &Call<'_>, n: usize) -> Result<i64, FaultKind> {
+    match call.arg(n) {
+        Arg::Area { .. } => {
+            let mut all = [0; 4];
+            fill(&mut all, bytes(call, n)?);
+            Ok(i64::from(i32::from_le_bytes(all)))
+        }
+        _ => Ok(call.integer(n)?.unwrap_or(0)),
+    }
+}
+
+/// A real number: a constant, or eight bytes of whatever is named.
+pub(super) fn real(call: &Call<'_>, n: usize) -> Result<f64, FaultKind> {
+    match call.arg(n) {
+        Arg::Cell { neg: false, .. } | Arg::Area { .. } => {
+            let mut all = [0; 8];
+            fill(&mut all, bytes(call, n)?);
+            Ok(f64::from_le_bytes(all))
+        }
+        _ => Ok(call.real(n)?.unwrap_or(0.0)),
+    }
+}
+
+/// All bytes of an operand: those of a literal, of a cell, up to the end of an area.
+pub(super) fn bytes<'a>(call: &'a Call<'_>, n: usize) -> Result<&'a [u8], FaultKind> {
+    match call.area(n)? {
+        Some((addr, len)) => call.bytes(addr, len),
+        None => Ok(call.text(n)?.unwrap_or_default()),
+    }
+}
+
+/// Writes a value: an integer at the width of the cell (four bytes to a text), a real as eight bytes, a text with its end
+/// mark, bytes as they are. Nothing goes past the end of the operand.
+pub(super) fn store(call: &mut Call<'_>, n: usize, value: &Value) -> Result<(), FaultKind> {
+    let bytes: Vec<u8> = match value {
+        Value::Int(value) if !matches!(call.arg(n), Arg::Area { .. }) => return call.store(n, *value),
+        Value::Int(value) => (*value as i32).to_le_bytes().to_vec(),
+        Value::Real(value) => value.to_le_bytes().to_vec(),
+        Value::Text(text) => return call.store_text(n, text),
+        Value::Bytes(bytes) => bytes.clone(),
+    };
+    let Some((addr, len)) = call.area(n)? else { return Ok(()) };
+    let taken = bytes.len().min(len as usize);
+    call.write(addr, &bytes[..taken])
+}
+
+fn fill(all: &mut [u8], from: &[u8]) {
+    for (place, byte) in all.iter_mut().zip(from) {
+        *place = *byte;
+    }
+}

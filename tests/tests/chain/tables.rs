@@ -1,0 +1,154 @@
+//! PLC tables (manual 17).
+
+use technol_machine::{Column, ControlData, Table, Value, ValueKind};
+
+use crate::plc::Plc;
+
+fn text(text: &str) -> Vec<u8> {
+    text.as_bytes().to_vec()
+}
+
+/// Columns of every type; the second row has only its first two values.
+fn data() -> ControlData {
+    let columns = [
+        ("Name", ValueKind::Text),
+        ("Teeth", ValueKind::Int),
+        ("Feed", ValueKind::Real),
+        ("Blob", ValueKind::Bytes),
+    ];
+    let columns = columns.map(|(id, kind)| Column { id: text(id), kind }).to_vec();
+    let first =
+        vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
+    let second = vec![Value::Text(text("Brass")), Value::Int(18)];
+    ControlData { tables: vec![Table { columns, rows: vec![first, second] }], ..ControlData::default() }
+}
+
+/// A mechanism of one instruction, waiting for its end; then O0 is 1 when there was no error, D2 has its number.
+fn plc(line: &str) -> Plc {
+    let mut plc = Plc::of(&format!("MECH_BEGIN M / {line} / EX0 / STO D2 / EQ CNST.0 / WR O0 / MECH_END M"));
+    plc.control().set_data(data());
+    plc.set("M=1");
+    plc
+}
+
+/// What is in memory before, the instruction, what is there at the end.
+#[track_caller]
+fn check(rows: &[(&str, &str, &str)]) {
+    let mut wrong = Vec::new();
+    for (given, line, then) in rows {
+        let mut plc = plc(line);
+        plc.set(given);
+        plc.run(1);
+        // The transfer takes a cycle.
+        let mut found = plc.differences("M=1 RLO=0 DR=0");
+        plc.run(1);
+        found.extend(plc.differences(&format!("M=0 {then}")));
+        found.extend(plc.fault());
+        if !found.is_empty() {
+            wrong.push(format!("{given}: {line}: {}", found.join(", ")));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn columns_lines_and_counts() {
+    check(&[
+        ("", "PLCT_COL_INDEX 0,'Feed',W1", "W1=2 OB=1 D2=0"),
+        ("W1=9", "PLCT_COL_INDEX 0,'feed',W1", "W1=9 OB=0 D2=3"),
+        ("W1=9", "PLCT_COL_INDEX 1,'Feed',W1", "W1=9 OB=0 D2=1"),
+        ("DWRD.LONG=1", "PLCT_COL_ID 0,LONG", "QWRD.LONG=6867006874656554h OB=1"),
+        ("DWRD.SHORT=1", "PLCT_COL_ID 0,SHORT", "DWRD.SHORT=00656554h BYTE.BEHIND=77h OB=1"),
+        ("DWRD.LONG=4", "PLCT_COL_ID 0,LONG", "DWRD.LONG=4 OB=0 D2=3"),
+        ("", "PLCT_COL_TYPE 0,0,B1", "B1=3 OB=1"),
+        ("", "PLCT_COL_TYPE 0,1,B1", "B1=1 OB=1"),
+        ("", "PLCT_COL_TYPE 0,2,B1", "B1=2 OB=1"),
+        ("W1=3", "PLCT_COL_TYPE 0,W1,B1", "B1=4 OB=1"),
+        ("W1=0FFFFh", "PLCT_COL_TYPE 0,W1,B1", "B1=0 OB=0 D2=3"),
+        ("W1=9", "PLCT_GET_SELLINE 0,W1", "W1=0 OB=1"),
+        ("", "PLCT_GET_LINESCOUNT 0,W1", "W1=2 OB=1"),
+        ("", "PLCT_SET_SELLINE 0,2", "OB=0 D2=2"),
+    ]);
+}
+
+#[test]
+fn values_are_read_at_the_width_of_their_target() {
+    check(&[
+        ("", "PLCT_GET_INT 0,0,1,D1", "D1=-3 D2=0 OB=1"),
+        ("", "PLCT_GET_INT 0,0,1,B1", "B1=0FDh B2=0 OB=1"),
+        ("", "PLCT_GET_INT 0,1,1,LONG+2", "QWRD.LONG=6867000000126261h OB=1"),
+        ("", "PLCT_GET_REAL 0,0,2,R1", "REAL.R1=120.5 OB=1"),
+        ("REAL.R1=1.0", "PLCT_GET_REAL 0,1,2,R1", "REAL.R1=0.0 OB=1"),
+        ("W1=1", "PLCT_GET_STR 0,W1,0,LONG", "QWRD.LONG=6867007373617242h OB=1"),
+        ("", "PLCT_GET_STR 0,0,0,SHORT", "DWRD.SHORT=00657453h BYTE.BEHIND=77h OB=1"),
+        ("", "PLCT_GET_BIN 0,0,3,AREA+1", "QWRD.AREA=03020100h OB=1"),
+        ("", "PLCT_GET_BIN 0,0,3,W1", "W1=0201h W2=0 OB=1"),
+        ("", "PLCT_GET_INT 0,2,1,D1", "D1=0 OB=0 D2=2"),
+        ("", "PLCT_GET_INT 0,0,4,D1", "D1=0 OB=0 D2=3"),
+        ("", "PLCT_GET_INT 0,0,2,D1", "D1=0 OB=0 D2=4"),
+        ("", "PLCT_GET_STR 1,0,0,LONG", "QWRD.LONG=6867666564636261h OB=0 D2=1"),
+    ]);
+}
+
+#[test]
+fn values_are_written() {
+    let rows = [
+        ("B1=0FEh", "PLCT_SET_INT 0,0,1,B1", 0, 1, Value::Int(-2)),
+        ("D1=80000000h", "PLCT_SET_INT 0,1,1,D1", 1, 1, Value::Int(-0x8000_0000)),
+        ("", "PLCT_SET_INT 0,1,1,LONG", 1, 1, Value::Int(0x6463_6261)),
+        ("REAL.R1=-0.25", "PLCT_SET_REAL 0,1,2,R1", 1, 2, Value::Real(-0.25)),
+        ("", "PLCT_SET_STR 0,1,0,SHORT", 1, 0, Value::Text(text("cde"))),
+        ("", "PLCT_SET_BIN 0,1,3,SHORT+1", 1, 3, Value::Bytes(vec![b'd', b'e', 0])),
+    ];
+    for (given, line, row, column, value) in rows {
+        let mut plc = plc(line);
+        plc.set(given);
+        plc.run(1);
+        // Operands are read when the transfer begins.
+        plc.set("B1=1 D1=1 REAL.R1=1.0 BYTE.SHORT=41h BYTE.(SHORT+1)=41h");
+        let before = plc.control().data().tables[0].clone();
+        assert_eq!(before, data().tables[0], "{line}");
+        plc.run(1);
+        assert_eq!(plc.differences("M=0 OB=1 D2=0"), [""; 0], "{line}");
+        assert_eq!(plc.control().data().tables[0].value(row, column), Some(value.clone()), "{line}");
+        let mut expected = before;
+        assert!(expected.set(row, column, value));
+        assert_eq!(plc.control().data().tables[0], expected, "{line}");
+    }
+    let mut plc = plc("PLCT_SET_INT 0,0,2,D1");
+    plc.run(2);
+    assert_eq!(plc.differences("M=0 OB=0 D2=4"), [""; 0]);
+    assert_eq!(plc.control().data(), &data());
+}
+
+#[test]
+fn the_program_is_told_what_the_operator_changed() {
+    let mut plc = plc("PLCT_CHANGED 0,B1");
+    let ask = |plc: &mut Plc, expected: &str| {
+        plc.set("M=1");
+        plc.run(2);
+        assert_eq!(plc.differences(expected), [""; 0]);
+    };
+    ask(&mut plc, "B1=0 M=0");
+    assert!(plc.control().select_row(0, 1));
+    assert!(plc.control().edit_table(0, 0, 1, Value::Int(5)));
+    assert!(!plc.control().edit_table(0, 0, 1, Value::Real(5.0)));
+    assert!(!plc.control().select_row(0, 2));
+    // The item comes first.
+    ask(&mut plc, "B1=1 M=0");
+    ask(&mut plc, "B1=2 M=0");
+    ask(&mut plc, "B1=0 M=0");
+}
+
+#[test]
+fn a_selected_line_stays_selected() {
+    let lines = "MECH_BEGIN M / PLCT_SET_SELLINE 0,W1 / EX0 / PLCT_GET_SELLINE 0,W2 / EX0 / PLCT_CHANGED 0,B1 / EX0 / \
+                 MECH_END M";
+    let mut plc = Plc::of(lines);
+    plc.control().set_data(data());
+    plc.set("M=1 W1=1 B1=9");
+    plc.run(4);
+    // Three transfers, one cycle each; the next begins in the cycle in which the one before ends.
+    assert_eq!(plc.differences("W2=1 B1=0 M=0"), [""; 0]);
+    assert_eq!(plc.fault(), None);
+}
