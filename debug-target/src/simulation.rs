@@ -89,6 +89,11 @@ impl Simulation {
         &mut self.plant
     }
 
+    /// The control around the program, for its buses.
+    pub fn control_mut(&mut self) -> &mut SimulatedControl {
+        &mut self.control
+    }
+
     /// Input ports as the PLC will see them.
     pub fn inputs(&self) -> &InputImage {
         &self.inputs

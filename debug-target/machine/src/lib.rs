@@ -24,7 +24,10 @@ mod turret;
 pub use block::{BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
-pub use control::SimulatedControl;
+pub use control::{
+    CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, EcatSlave, EcatState, EtherCat, Licences, SERIAL_QUEUE,
+    SerialPort, SimulatedControl,
+};
 pub use drive::Outputs;
 pub use plant::{Plant, PlantEvent, UnknownName};
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};

@@ -21,6 +21,8 @@ use crate::sequence;
 
 /// Messages the control may report by itself in a cycle; the others wait for the next.
 const MESSAGES_PER_CYCLE: usize = 16;
+/// Procedures the control may call in a cycle; the others wait for the next.
+const CALLS_PER_CYCLE: usize = 256;
 
 /// How far a job came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -281,6 +283,7 @@ impl Runtime {
             Job::FastestOutputs => world.control.outputs(Rate::Fastest, millis, memory.bytes_mut()),
             Job::Module(index) => return self.run_module(index, world),
             Job::Block => return self.run_block(world),
+            Job::Calls => return self.run_calls(world),
             Job::Events => return self.run_events(world),
             Job::StopRequests => self.take_stop_request(),
         }
@@ -448,6 +451,23 @@ impl Runtime {
         if self.code.on_event.is_some() && self.plc_events.len() < QUEUE_LEN {
             self.plc_events.push_back(code);
         }
+    }
+
+    /// Procedures that the control calls.
+    fn run_calls(&mut self, world: &mut World<'_>) -> Progress {
+        for _ in 0..CALLS_PER_CYCLE {
+            if !self.position.is_some_and(|p| p.entered) {
+                let memory = self.machine.memory.bytes_mut();
+                let Some(call) = world.control.next_call(memory) else { return Progress::Done };
+                let procedure = self.program.procedures.get(usize::from(call.procedure));
+                let Some(start) = procedure.map(|procedure| procedure.start) else { continue };
+                self.enter(Line::Main, Root::Procedure, start, Some(call.dr));
+            }
+            if self.execute(Line::Main, true, world) == Progress::Stopped {
+                return Progress::Stopped;
+            }
+        }
+        Progress::Done
     }
 
     fn run_events(&mut self, world: &mut World<'_>) -> Progress {
