@@ -5,12 +5,16 @@ mod frame;
 
 mod arithmetic;
 mod bits;
+mod can;
 mod comparisons;
 mod data;
+mod ethercat;
 mod lathe;
+mod licences;
 mod macros;
 mod mechanisms;
 mod messages;
 mod plc;
+mod serial;
 mod texts;
 mod time;

@@ -9,7 +9,9 @@ type Shown = (u32, Option<i64>, bool, [Option<i64>; 3]);
 
 fn shown(events: &[RuntimeEvent]) -> Vec<Shown> {
     let message = |event: &RuntimeEvent| match *event {
-        RuntimeEvent::Message { number, sub_id, set, parameters, .. } => Some((number, sub_id, set, parameters)),
+        RuntimeEvent::Message { number, sub_id, set, parameters, .. } => {
+            Some((number, sub_id, set, parameters))
+        }
         _ => None,
     };
     events.iter().filter_map(message).collect()
@@ -17,7 +19,8 @@ fn shown(events: &[RuntimeEvent]) -> Vec<Shown> {
 
 #[test]
 fn edges_begin_and_end_messages() {
-    let mut plc = Plc::with_init("EDEF -,I0,FIVE,-,1001b / EDEF -,I1,6,7,0010b,D1 / EDEF OB,I2,8,-,0001b", "");
+    let mut plc =
+        Plc::with_init("EDEF -,I0,FIVE,-,1001b / EDEF -,I1,6,7,0010b,D1 / EDEF OB,I2,8,-,0001b", "");
     plc.set("D1=44 IB=2");
     // A bit that is 1 at the start has no edge, a change of bits nobody watches no message.
     assert_eq!(shown(&plc.events(2)), []);

@@ -4,6 +4,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
+use technol_machine::SimulatedControl;
 use technol_target::Simulation;
 
 use crate::frame;
@@ -27,6 +28,8 @@ LONG: STR 8,'abcdefgh'
 MIDDLE: STR 8,'abcde'
 SHORT: STR 3,'cde'
 BEHIND: STR 1,'w'
+PACKET: STR 12
+BIG: DS 256
 EQUI FIVE,5";
 
 /// Line of the first of the lines given to [`Plc::of`].
@@ -98,6 +101,11 @@ impl Plc {
     pub(crate) fn restart(&mut self) {
         self.simulation.start(false);
         self.simulation.tick(&mut Vec::new());
+    }
+
+    /// The control around it.
+    pub(crate) fn control(&mut self) -> &mut SimulatedControl {
+        self.simulation.control_mut()
     }
 
     pub(crate) fn run(&mut self, cycles: u32) {

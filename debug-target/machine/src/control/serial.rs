@@ -149,7 +149,8 @@ impl Serial {
                 call.set_rlo(!port.is_some_and(|port| port.queue(&[byte])));
             }
             Service::ComSendStr => {
-                let len = call.unsigned(2)?.and_then(|len| u32::try_from(len).ok()).unwrap_or(0);
+                // More than a queue can ever hold is refused, whatever lies there.
+                let len = call.unsigned(2)?.map_or(0, |len| len.clamp(0, SERIAL_QUEUE as i64 + 1) as u32);
                 let bytes = match call.area(1)? {
                     Some((addr, _)) => call.bytes(addr, len)?,
                     None => &[],

@@ -122,6 +122,14 @@ impl Transfer {
 
     /// The operands as an order; the inner error goes to the program.
     fn read(&mut self, call: &Call<'_>) -> Result<Result<Order, u32>, FaultKind> {
+        let length = match call.service() {
+            Service::EcatCoeRead | Service::EcatCoeWrite => Some(5),
+            Service::EcatCommand => matches!(call.integer(2)?, Some(20 | 21)).then_some(4),
+            _ => Some(6),
+        };
+        if let Some(n) = length {
+            self.length = call.area(n)?.map(|(addr, _)| addr);
+        }
         if word(call, 0)? != 0 {
             return Ok(Err(NO_MASTER));
         }
@@ -176,7 +184,6 @@ impl Transfer {
         n: usize,
         len: usize,
     ) -> Result<Result<(Addr, u32), u32>, FaultKind> {
-        self.length = call.area(len)?.map(|(addr, _)| addr);
         let wanted = call.unsigned(len)?.and_then(|len| u32::try_from(len).ok()).unwrap_or(0);
         let Some((addr, room)) = call.area(n)? else { return Ok(Err(BAD_LENGTH)) };
         if wanted == 0 || wanted > room {
