@@ -52,6 +52,10 @@ impl Simulation {
             }
             None => Plant::default(),
         };
+        let mut control = SimulatedControl::new();
+        if let Some(config) = machine {
+            control.connect(config);
+        }
         let mut runtime = Runtime::new(program).map_err(SimulationError::Program)?;
         // The machine knows no port that the image lacks, so this does not fail.
         let _ = runtime.set_fast_ports(plant.fast_inputs(), plant.fast_outputs());
@@ -60,7 +64,7 @@ impl Simulation {
         Ok(Simulation {
             runtime,
             plant,
-            control: SimulatedControl::new(),
+            control,
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,

@@ -9,6 +9,8 @@ use serde::Deserialize;
 use crate::block::BlockMode;
 use crate::drive::Outputs;
 
+pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
+
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
@@ -31,6 +33,16 @@ pub struct MachineConfig {
     pub fault: Vec<Fault>,
     /// `[[block]]`.
     pub block: Vec<Block>,
+    /// `[licences]`.
+    pub licences: Licences,
+    /// `[[serial]]`.
+    pub serial: Vec<Serial>,
+    /// `[[can-unit]]`.
+    pub can_unit: Vec<CanUnit>,
+    /// `[[can-drive]]`.
+    pub can_drive: Vec<CanDrive>,
+    /// `[[ethercat]]`.
+    pub ethercat: Vec<Slave>,
 }
 
 /// About the machine.

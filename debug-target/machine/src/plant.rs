@@ -105,6 +105,7 @@ impl Plant {
             plant.faults.extend(Fault::compile(fault, &mut compiler));
         }
         plant.programs = Program::compile(&config.block, &mut compiler);
+        crate::control::config::check(config, &mut compiler);
         compiler.enter("io", None);
         let fast = &config.io;
         plant.fast_inputs =

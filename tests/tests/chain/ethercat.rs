@@ -193,3 +193,33 @@ fn a_silent_slave_is_given_up_after_a_second() {
         assert_eq!(plc.differences("M=0 O0=1 D2=3"), [""; 0], "{lines}");
     }
 }
+
+#[test]
+fn the_machine_description_connects_buses_and_licences() {
+    let machine = "
+        licences = { key = true, features = [3] }
+        [[serial]]
+        channel = 1
+        [[can-unit]]
+        can = 2
+        group = 1
+        board = 3
+        [[can-drive]]
+        axis = 2
+        node = 34
+        object = [{ index = 0x6060, type = 'byte', value = 7 }]
+        [[ethercat]]
+        [[ethercat]]
+        object = [{ index = 0x6041, subindex = 1, type = 'word', value = 0x1234, read-only = true }]
+        register = [{ idn = 51, type = 'dword', value = -2 }]
+    ";
+    let lines = "LDR_LIC FeaturePlc3 / WR O0 / COM_SEND 1,B1 / WR O1 / COM_SEND 2,B1 / WR O2 / \
+                 CAN_SYSIO_READ 2,1,3,PRESENT / STO B2 / CAN_AX_SEND 2 / LOD WORD.CAN_AX_SEND_PACKET / STO W2 / \
+                 MECH_BEGIN M / LOD CNST.2 / STO D1 / ECAT_COE_READ 0,1,6041h,1,W1,D1 / EX0 / MECH_END M";
+    let mut plc = Plc::on(Some(machine), "", lines);
+    plc.set("M=1");
+    plc.run(3);
+    assert_eq!(plc.differences("OB=101b B2=1 W1=1234h W2=622h"), [""; 0]);
+    assert_eq!(plc.control().can_drive_mut(2).object(0x6060, 0), Some(&[7][..]));
+    assert_eq!(slave(&mut plc).register(0, 51), Some(&[0xFE, 0xFF, 0xFF, 0xFF][..]));
+}

@@ -4,7 +4,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
-use technol_machine::SimulatedControl;
+use technol_machine::{MachineConfig, SimulatedControl};
 use technol_target::Simulation;
 
 use crate::frame;
@@ -76,13 +76,20 @@ impl Plc {
 
     /// A program of these lines of MODULE_INIT and MODULE_MAIN, past MODULE_INIT.
     pub(crate) fn with_init(init: &str, main: &str) -> Plc {
+        Plc::on(None, init, main)
+    }
+
+    /// The same in front of the machine that a `machine.toml` describes.
+    pub(crate) fn on(machine: Option<&str>, init: &str, main: &str) -> Plc {
+        let machine = machine.map(|text| toml::from_str::<MachineConfig>(text).expect("a description"));
         let lines = |text: &str| -> Vec<String> {
             text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
         };
         let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
         let built = build(&OneFile(source), "plc.plc");
         let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, None).expect("it can be loaded");
+        let mut simulation =
+            Simulation::new(built.image.program, machine.as_ref()).expect("it can be loaded");
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }

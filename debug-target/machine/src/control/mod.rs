@@ -5,6 +5,7 @@ use technol_image::service::Service;
 use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
 
 mod can;
+pub(crate) mod config;
 mod ethercat;
 mod licence;
 mod messages;
