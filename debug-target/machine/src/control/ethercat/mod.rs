@@ -154,16 +154,13 @@ impl EtherCat {
 
     /// A command to lead begins: who is addressed gets the goal.
     fn lead(&mut self, slave: Option<u16>, goal: EcatState) {
-        match slave {
-            Some(slave) => {
-                if let Some(slave) = self.slaves.get_mut(usize::from(slave)) {
-                    slave.goal = goal;
-                }
+        if let Some(slave) = slave {
+            if let Some(slave) = self.slaves.get_mut(usize::from(slave)) {
+                slave.goal = goal;
             }
-            None => {
-                self.goal = goal;
-                self.slaves.iter_mut().for_each(|slave| slave.goal = goal);
-            }
+        } else {
+            self.goal = goal;
+            self.slaves.iter_mut().for_each(|slave| slave.goal = goal);
         }
     }
 

@@ -135,7 +135,7 @@ impl Transfer {
         }
         let slave = word(call, 1)?;
         match call.service() {
-            Service::EcatCommand => return self.command(call, slave),
+            Service::EcatCommand => self.command(call, slave),
             Service::EcatCoeRead | Service::EcatCoeWrite => {
                 let (index, subindex) = (word(call, 2)?, word(call, 3)? as u8);
                 let place = self.place(call, 4, 5)?;
