@@ -241,6 +241,9 @@ impl<'a> Disassembler<'a> {
             Arg::Cell { place, width, neg } => format!("{}{}", sign(*neg), self.place(*place, *width)),
             Arg::Bit { bit, neg } => format!("{}{}", sign(*neg), self.bit(bit)),
             Arg::Area { place, .. } => self.area(*place),
+            Arg::Procedure(n) => {
+                self.program.procedures.get(usize::from(*n)).map_or("?", |p| p.name.as_str()).to_owned()
+            }
         };
         let args: Vec<String> = call.args.iter().map(arg).collect();
         format!("{} {}", call.service.name(), args.join(",")).trim_end().to_owned()

@@ -58,6 +58,10 @@ enum Jump {
     Timed(usize),
 }
 
+/// What CAN_AX_SEND works on, with lengths in bytes (manual 13.14).
+const DRIVE_CELLS: [(&str, u32); 3] =
+    [("CAN_AX_SEND_PACKET", 12), ("CAN_AX_RECV_PACKET", 12), ("CAN_AX_BUSY", 1)];
+
 struct Lowering {
     code: SectionCode,
     labels: HashMap<Arc<str>, u32>,
@@ -177,7 +181,7 @@ impl Lowering {
                 return self.sequential(form, operands);
             }
             Form::Message(cond) => return self.message(cond, operands),
-            Form::Service(service) => return self.service(service, operands),
+            Form::Service(service) => return self.service(service, push, operands),
             Form::InitFinished => {
                 self.code.init_finished = true;
                 self.emit(Op::InitFinished(0));
@@ -425,13 +429,16 @@ impl Lowering {
         Ok(())
     }
 
-    fn service(&mut self, service: Service, operands: &Operands<'_>) -> Result<(), ProblemKind> {
+    fn service(&mut self, service: Service, push: bool, operands: &Operands<'_>) -> Result<(), ProblemKind> {
         let mut args = Vec::with_capacity(operands.list.len());
         for n in 0..operands.list.len() {
             args.push(self.code.arg(operands.get(n)).ok_or_else(|| operands.problem(n))?);
         }
+        if service == Service::CanAxSend {
+            args.extend(DRIVE_CELLS.map(|(name, len)| self.code.predefined(name, len)));
+        }
         let index = table_index("instructions of the control", self.code.services.len())?;
-        self.code.services.push(ServiceCall { service, args });
+        self.code.services.push(ServiceCall { service, args, push });
         self.emit(Op::Service(index));
         Ok(())
     }

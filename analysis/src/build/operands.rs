@@ -6,7 +6,7 @@ use technol_image::system;
 
 use super::section_code::{SectionCode, Slot};
 use crate::catalogue;
-use crate::semantics::hir::{Address, BlockNumber, Operand, SymbolKey};
+use crate::semantics::hir::{Address, BlockNumber, Operand, SymbolKey, SymbolScope};
 use crate::semantics::layout::system_addr;
 
 impl SectionCode {
@@ -122,6 +122,13 @@ impl SectionCode {
         }
     }
 
+    /// A predefined area that an instruction works on without an operand.
+    pub(super) fn predefined(&mut self, name: &str, len: u32) -> Arg {
+        let symbol = SymbolKey { scope: SymbolScope::System, name: name.into() };
+        let addr = self.slot(Slot::Symbol { key: symbol, offset: 0 });
+        Arg::Area { place: Place { addr, indexed: false }, len }
+    }
+
     /// An operand of a service.
     pub(super) fn arg(&mut self, operand: Option<&Operand>) -> Option<Arg> {
         Some(match operand? {
@@ -141,7 +148,8 @@ impl SectionCode {
                 let behind = i64::from(*len) - address.offset;
                 Arg::Area { place: self.address(address), len: u32::try_from(behind).unwrap_or(0) }
             }
-            Operand::Label(_) | Operand::Procedure(_) | Operand::Block { .. } => return None,
+            Operand::Procedure(key) => Arg::Procedure(u16::try_from(self.name(key)).ok()?),
+            Operand::Label(_) | Operand::Block { .. } => return None,
         })
     }
 }

@@ -134,6 +134,7 @@ impl Relocation<'_> {
                 Arg::Cell { place, width, .. } => self.place(place, width.bytes())?,
                 Arg::Bit { bit, .. } => self.bit(bit)?,
                 Arg::Area { place, len } => self.place(place, *len)?,
+                Arg::Procedure(index) => self.named(index, |key| self.addresses.procedure(key))?,
                 Arg::Missing | Arg::Int(_) | Arg::Real(_) | Arg::Text(_) | Arg::Keyword(_) => {}
             }
         }

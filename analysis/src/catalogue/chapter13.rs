@@ -1,7 +1,7 @@
 //! Chapter 13: regulators and drives.
 
 use super::entry::{Effect, Entry, Example, Form, OperandKind, OperandSpec};
-use super::pattern::{INSTRUCTION, UNMODELLED, example, form, operand, text};
+use super::pattern::{INSTRUCTION, example, form, operand, text};
 
 const SET: OperandSpec = operand(
     "set",
@@ -130,6 +130,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Zapíše 6 do objektu 6060h pohonu osy 2 a na odpověď čeká nejvýše sekundu.",
         )],
         related: &["TEX0", "EX"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

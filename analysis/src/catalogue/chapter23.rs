@@ -1,7 +1,7 @@
 //! Chapter 23: serial ports.
 
 use super::entry::{Access, Effect, Entry, Equation, OperandKind, OperandSpec, Prefix, PrefixSet};
-use super::pattern::{BYTE_CELL, COUNTERS, UNMODELLED, example, form, operand, source, text};
+use super::pattern::{BYTE_CELL, COUNTERS, INSTRUCTION, example, form, operand, source, text};
 
 const COM: OperandSpec = operand(
     "com",
@@ -71,7 +71,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Odešle znak z DR; je-li fronta plná, pokračuje na LATER.",
         )],
         related: &["COM_SEND_STR", "COM_RECV", "COM_CONTROL"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "COM_SEND_STR",
@@ -117,7 +117,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Odešle pět písmen, nula za nimi zůstane.",
         )],
         related: &["COM_SEND", "COM_RECV", "STR"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "COM_RECV",
@@ -168,7 +168,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Jeden znak za cyklus; řádek končí návratem vozíku.",
         )],
         related: &["COM_CONTROL", "COM_SEND", "STO"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "COM_CONTROL",
@@ -213,6 +213,6 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Je-li kanál v chybě, pokračuje na LINE_DOWN.",
         )],
         related: &["COM_RECV", "COM_SEND", "ANDB"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];

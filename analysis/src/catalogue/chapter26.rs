@@ -95,7 +95,7 @@ const ERRORS: Bilingual = text(
 );
 
 /// An instruction of this chapter.
-const MAILBOX: Entry = Entry { chapter: "26.4", errors: ERRORS, ..TRANSFER };
+const MAILBOX: Entry = Entry { chapter: "26.4", errors: ERRORS, executable: true, ..TRANSFER };
 
 /// The entries, in manual order.
 pub(super) static ENTRIES: &[Entry] = &[

@@ -1,7 +1,7 @@
 //! Chapter 9: the CAN bus, shared with the control; LDR_LIC of chapter 8.
 
 use super::entry::{Access, Effect, Entry, Equation, OperandKind, OperandSpec, Prefix, PrefixSet};
-use super::pattern::{UNMODELLED, example, form, operand, text};
+use super::pattern::{INSTRUCTION, example, form, operand, text};
 
 const CAN: OperandSpec = operand(
     "can",
@@ -85,7 +85,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Pošle dva datové bajty na identifikátor 10h; QUEUED je 1, když byl paket přijat.",
         )],
         related: &["CAN_RECV_REQ", "CAN_RECV", "STR"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_RECV",
@@ -124,7 +124,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "LEVEL dostane první datový bajt paketu, pokud nějaký přišel.",
         )],
         related: &["CAN_RECV_REQ", "CAN_SEND"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_RECV_REQ",
@@ -202,7 +202,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Procedura ANSWER se provede pro každý paket 5A1h až 5A4h.",
         )],
         related: &["CAN_RECV_END", "CAN_SEND", "PROC_BEGIN"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_RECV_END",
@@ -230,7 +230,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Ukončí příjem paketů vyžádaných pomocí CAN_RECV_REQ.",
         )],
         related: &["CAN_RECV_REQ", "CAN_RECV_DEL"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_RECV_DEL",
@@ -257,7 +257,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "V nových programech pište CAN_RECV_END.",
         )],
         related: &["CAN_RECV_END", "CAN_RECV_REQ"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_SYSIO_READ",
@@ -315,7 +315,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Analogový vstup 0 třetí jednotky INOUT08, NODE-ID 23h.",
         )],
         related: &["CAN_SYSIO_WRITE", "MAP_AIN"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "CAN_SYSIO_WRITE",
@@ -347,7 +347,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Přepne čtvrtou jednotku INOUT08 na analogové vstupy.",
         )],
         related: &["CAN_SYSIO_READ"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
     Entry {
         name: "LDR_LIC",
@@ -391,7 +391,7 @@ pub(super) static ENTRIES: &[Entry] = &[
             "Robot smí pracovat jen s licencí funkce 0.",
         )],
         related: &["LDR", "LA"],
-        ..UNMODELLED
+        ..INSTRUCTION
     },
 ];
 

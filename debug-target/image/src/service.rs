@@ -240,6 +240,8 @@ pub struct ServiceCall {
     pub service: Service,
     /// Its operands, in order; left-out trailing ones are absent.
     pub args: Vec<Arg>,
+    /// RLO goes on the equation stack before: an equation is open.
+    pub push: bool,
 }
 
 /// An operand.
@@ -278,4 +280,6 @@ pub enum Arg {
         /// Bytes from there to the end of the declared variable.
         len: u32,
     },
+    /// A procedure, by its number.
+    Procedure(u16),
 }

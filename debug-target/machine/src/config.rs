@@ -12,6 +12,8 @@ use crate::drive::{Outputs, Signals};
 use crate::motion::Thousandths;
 use crate::motion::config::{Axis, Spindle};
 
+pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
+
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
@@ -58,6 +60,16 @@ pub struct MachineConfig {
     pub output: Vec<Output>,
     /// `[[link]]`.
     pub link: Vec<Link>,
+    /// `[licences]`.
+    pub licences: Licences,
+    /// `[[serial]]`.
+    pub serial: Vec<Serial>,
+    /// `[[can-unit]]`.
+    pub can_unit: Vec<CanUnit>,
+    /// `[[can-drive]]`.
+    pub can_drive: Vec<CanDrive>,
+    /// `[[ethercat]]`.
+    pub ethercat: Vec<Slave>,
 }
 
 /// About the machine.

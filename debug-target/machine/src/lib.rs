@@ -34,8 +34,9 @@ pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
 pub use control::{
-    Column, ControlData, Conversion, ElementError, ElementValue, Shared, SimulatedControl, Table, Value,
-    ValueKind,
+    CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, Column, ControlData, Conversion, EcatSlave, EcatState,
+    ElementError, ElementValue, EtherCat, Licences, SERIAL_QUEUE, SerialPort, Shared, SimulatedControl,
+    Table, Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};

@@ -120,6 +120,7 @@ impl Plant {
         plant.control = settings::settings(config, &mut compiler);
         plant.apply_faults();
         elements::config::check(config, &mut compiler);
+        crate::control::config::check(config, &mut compiler);
         compiler.enter("io", None);
         let fast = &config.io;
         plant.fast_inputs =

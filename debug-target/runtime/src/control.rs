@@ -10,7 +10,7 @@ use technol_image::service::{Arg, Service};
 
 use crate::fault::FaultKind;
 use crate::memory::Memory;
-use crate::registers::{Registers, sign_extend};
+use crate::registers::{Registers, mask, sign_extend};
 
 /// How often something is copied between the program and the control.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -36,6 +36,15 @@ pub struct ControlMessage {
     pub set: bool,
     /// Values for its text.
     pub parameters: [Option<i64>; 3],
+}
+
+/// A procedure that the control calls (CAN_RECV_REQ, manual 9.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ControlCall {
+    /// Its number, as an operand told it: see [`Call::procedure`]. One that the program does not have is not called.
+    pub procedure: u16,
+    /// DR at its start.
+    pub dr: i64,
 }
 
 /// The control around a program. Every method is called from [`Runtime::tick_with`](crate::Runtime::tick_with), on its thread;
@@ -66,6 +75,13 @@ pub trait Control {
 
     /// The next message the control reports by itself; asked after the outputs of each cycle until there is none.
     fn next_message(&mut self) -> Option<ControlMessage> {
+        None
+    }
+
+    /// The next procedure to call at the start of a cycle, behind its inputs and before MODULE_INPUT; asked until there is none,
+    /// at most 256 times. What the procedure works on goes into memory here.
+    fn next_call(&mut self, memory: &mut [u8]) -> Option<ControlCall> {
+        let _ = memory;
         None
     }
 
@@ -135,6 +151,14 @@ impl Call<'_> {
         }
     }
 
+    /// Number of the procedure at operand `n`.
+    pub fn procedure(&self, n: usize) -> Option<u16> {
+        match self.arg(n) {
+            Arg::Procedure(number) => Some(*number),
+            _ => None,
+        }
+    }
+
     /// Integer value of operand `n`: a constant, a cell (sign-extended), a bit (0 or 1); a real is rounded toward zero.
     ///
     /// # Errors
@@ -144,6 +168,18 @@ impl Call<'_> {
             Some(value) => Ok(Some(value as i64)),
             None => self.integer_operand(n),
         }
+    }
+
+    /// Value of operand `n` without sign: a cell zero-extended, other operands as [`integer`](Call::integer).
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn unsigned(&self, n: usize) -> Result<Option<i64>, FaultKind> {
+        let value = self.integer(n)?;
+        Ok(match self.arg(n) {
+            Arg::Cell { width, .. } if *width != Width::Real => value.map(|value| value & mask(*width)),
+            _ => value,
+        })
     }
 
     /// Real value of operand `n`; an integer is converted.

@@ -360,6 +360,9 @@ fn cold(
         Op::ModuleEnd => return Err(FaultKind::UnexpectedEnd),
         Op::Service(index) => {
             let call = &program.services[usize::from(*index)];
+            if call.push {
+                regs.push()?;
+            }
             let millis = machine.millis;
             let mut call =
                 Call { service: call.service, args: &call.args, index: *index, millis, memory, regs };

@@ -43,7 +43,7 @@ mod timing;
 mod validate;
 
 pub use block::{Block, BlockMode, Rejection};
-pub use control::{Call, Control, ControlMessage, NoControl, Rate};
+pub use control::{Call, Control, ControlCall, ControlMessage, NoControl, Rate};
 pub use debugger::{BreakpointError, Frame, Resume, Stop, StopReason};
 pub use event::{Command, PlcState, RateKind, RuntimeEvent};
 pub use fault::{Fault, FaultKind};

@@ -62,6 +62,8 @@ pub(crate) enum Job {
     Module(usize),
     /// The block cycle, with its two modules.
     Block,
+    /// The procedures that the control calls.
+    Calls,
     /// `_ON_EVENT` for each queued event.
     Events,
     /// Take the stop requests of the PLC.
@@ -90,7 +92,7 @@ impl Plans {
         let around = |before: &[Job], kind, after: &[Job]| {
             before.iter().copied().chain(modules(kind)).chain(after.iter().copied()).collect::<Vec<_>>()
         };
-        let mut cycle = vec![Job::Inputs];
+        let mut cycle = vec![Job::Inputs, Job::Calls];
         cycle.extend(modules(ModuleKind::Input));
         cycle.extend([Job::Events, Job::Block]);
         cycle.extend(modules(ModuleKind::Main));

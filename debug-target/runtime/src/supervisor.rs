@@ -30,6 +30,8 @@ pub(crate) enum PlcEvent {
     /// `_ON_CMD` with code and key.
     Command { code: i32, pressed: bool },
 }
+/// Procedures the control may call in a cycle; the others wait for the next.
+const CALLS_PER_CYCLE: usize = 256;
 
 /// How far a job came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -312,6 +314,7 @@ impl Runtime {
                 self.block.publish(&mut self.machine.memory);
                 return progress;
             }
+            Job::Calls => return self.run_calls(world),
             Job::Events => return self.run_events(world),
             Job::StopRequests => self.take_stop_request(),
         }
@@ -504,6 +507,23 @@ impl Runtime {
             PlcEvent::Event(_) => self.code.on_event,
             PlcEvent::Command { .. } => self.code.on_cmd,
         }
+    }
+
+    /// Procedures that the control calls.
+    fn run_calls(&mut self, world: &mut World<'_>) -> Progress {
+        for _ in 0..CALLS_PER_CYCLE {
+            if !self.position.is_some_and(|p| p.entered) {
+                let memory = self.machine.memory.bytes_mut();
+                let Some(call) = world.control.next_call(memory) else { return Progress::Done };
+                let procedure = self.program.procedures.get(usize::from(call.procedure));
+                let Some(start) = procedure.map(|procedure| procedure.start) else { continue };
+                self.enter(Line::Main, Root::Procedure, start, Some(call.dr));
+            }
+            if self.execute(Line::Main, true, world) == Progress::Stopped {
+                return Progress::Stopped;
+            }
+        }
+        Progress::Done
     }
 
     fn run_events(&mut self, world: &mut World<'_>) -> Progress {

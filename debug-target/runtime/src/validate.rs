@@ -251,6 +251,9 @@ impl<'a> Checker<'a> {
                 Arg::Cell { place, width, .. } => self.place(place, width.bytes())?,
                 Arg::Bit { bit, .. } => self.bit(bit)?,
                 Arg::Area { place, len } => self.place(place, len)?,
+                Arg::Procedure(n) => {
+                    require(usize::from(n) < self.program.procedures.len(), "unknown procedure")?;
+                }
                 Arg::Missing | Arg::Int(_) | Arg::Real(_) | Arg::Text(_) | Arg::Keyword(_) => {}
             }
         }

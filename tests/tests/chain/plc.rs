@@ -6,7 +6,7 @@ use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
 use technol_image::{DebugInfo, Program};
-use technol_machine::MachineConfig;
+use technol_machine::{MachineConfig, SimulatedControl};
 use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::{Simulation, parse_machine};
 
@@ -31,6 +31,8 @@ LONG: STR 8,'abcdefgh'
 MIDDLE: STR 8,'abcde'
 SHORT: STR 3,'cde'
 BEHIND: STR 1,'w'
+PACKET: STR 12
+BIG: DS 256
 EQUI FIVE,5";
 
 /// Line of the first of the lines given to [`Plc::of`].
@@ -80,6 +82,12 @@ impl Plc {
         Plc::with_modules(init, main, "")
     }
 
+    /// The same in front of the machine that a `machine.toml` describes.
+    pub(crate) fn on(machine: Option<&str>, init: &str, main: &str) -> Plc {
+        let machine = machine.map(|text| toml::from_str::<MachineConfig>(text).expect("a description"));
+        Plc::on_machine(machine.as_ref(), init, main, "")
+    }
+
     /// The same with other modules, written in full.
     pub(crate) fn with_modules(init: &str, main: &str, modules: &str) -> Plc {
         Plc::on_machine(None, init, main, modules)
@@ -126,7 +134,7 @@ impl Plc {
     }
 
     /// The control around the program.
-    pub(crate) fn control(&mut self) -> &mut technol_machine::SimulatedControl {
+    pub(crate) fn control(&mut self) -> &mut SimulatedControl {
         self.simulation.control_mut()
     }
 

@@ -2,7 +2,7 @@
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
 use technol_image::service::Service;
-use technol_runtime::{Call, Control, ControlMessage, FaultKind, Rate};
+use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
 
 use crate::config::MachineConfig;
 use crate::motion::{Cells, Motion};
@@ -10,11 +10,17 @@ use crate::signal::Signal;
 
 mod axes;
 mod backup;
+mod can;
+pub(crate) mod config;
 mod configuration;
 mod data;
 pub(crate) mod elements;
+mod ethercat;
+mod licence;
 mod messages;
+mod objects;
 mod operand;
+mod serial;
 mod shared;
 mod tables;
 mod transfer;
@@ -28,6 +34,14 @@ use tables::Tables;
 pub use data::{Column, ControlData, Table, Value, ValueKind};
 pub use shared::Shared;
 
+use can::{Drives, Units};
+use serial::Serial;
+
+pub use can::{CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit};
+pub use ethercat::{EcatSlave, EcatState, EtherCat};
+pub use licence::Licences;
+pub use serial::{SERIAL_QUEUE, SerialPort};
+
 /// The control. Deterministic; a clone is a snapshot.
 #[derive(Clone, Debug, Default)]
 pub struct SimulatedControl {
@@ -39,6 +53,12 @@ pub struct SimulatedControl {
     tables: Tables,
     /// PLC_MEM_BACKUP was saved so many times.
     saved: u64,
+    serial: Serial,
+    licences: Licences,
+    can: CanBus,
+    units: Units,
+    drives: Drives,
+    ethercat: EtherCat,
 }
 
 impl SimulatedControl {
@@ -51,11 +71,13 @@ impl SimulatedControl {
     /// A control as at power-on with what a machine describes.
     #[must_use]
     pub fn of(machine: &MachineConfig) -> SimulatedControl {
-        SimulatedControl {
+        let mut control = SimulatedControl {
             elements: Elements::of(machine),
             motion: Motion::new(machine),
             ..SimulatedControl::default()
-        }
+        };
+        control.connect_buses(machine);
+        control
     }
 
     /// Axes and spindles.
@@ -151,6 +173,37 @@ impl SimulatedControl {
     pub fn times_saved(&self) -> u64 {
         self.saved
     }
+
+    /// A logical channel of serial ports; it is configured from the first time on.
+    pub fn serial_mut(&mut self, channel: u8) -> &mut SerialPort {
+        self.serial.port(channel)
+    }
+
+    /// The hardware key and its licences.
+    pub fn licences_mut(&mut self) -> &mut Licences {
+        &mut self.licences
+    }
+
+    /// The CAN channels that the program shares.
+    pub fn can_mut(&mut self) -> &mut CanBus {
+        &mut self.can
+    }
+
+    /// A unit of the control on the CAN bus: channel (1, 2), group (1 to 3), number in the group (1 to 32). It is present from
+    /// the first time on.
+    pub fn can_unit_mut(&mut self, can: u8, group: u8, board: u8) -> &mut CanUnit {
+        self.units.unit(can, group, board)
+    }
+
+    /// The CAN drive of an axis (1 to 16); it is there from the first time on.
+    pub fn can_drive_mut(&mut self, axis: u8) -> &mut CanDrive {
+        self.drives.drive(axis)
+    }
+
+    /// The EtherCAT master.
+    pub fn ethercat_mut(&mut self) -> &mut EtherCat {
+        &mut self.ethercat
+    }
 }
 
 impl Control for SimulatedControl {
@@ -172,6 +225,25 @@ impl Control for SimulatedControl {
             Service::ConstGet => configuration::constant(&self.data, call),
             Service::ShareVar | Service::ShareBit => self.shared.share(call),
             Service::SaRead | Service::SaWrite => self.shared.exchange(call),
+            Service::ComSend | Service::ComSendStr | Service::ComRecv | Service::ComControl => {
+                self.serial.execute(call)
+            }
+            Service::LdrLic => {
+                self.licences.load(call);
+                Ok(())
+            }
+            Service::CanSend
+            | Service::CanRecv
+            | Service::CanRecvReq
+            | Service::CanRecvEnd
+            | Service::CanRecvDel => self.can.execute(call),
+            Service::CanSysioRead | Service::CanSysioWrite => self.units.execute(call),
+            Service::CanAxSend => self.drives.send(call),
+            Service::EcatCommand
+            | Service::EcatCoeRead
+            | Service::EcatCoeWrite
+            | Service::EcatSoeRead
+            | Service::EcatSoeWrite => self.ethercat.execute(call),
             other if other.name().starts_with("PLCT_") => self.tables.execute(&mut self.data.tables, call),
             other => {
                 let known = axes::service(&mut self.motion, call)?;
@@ -180,11 +252,23 @@ impl Control for SimulatedControl {
         }
     }
 
-    fn inputs(&mut self, rate: Rate, _millis: u64, memory: &mut [u8]) {
+    fn inputs(&mut self, rate: Rate, millis: u64, memory: &mut [u8]) {
         if rate == Rate::Fast {
             self.motion.tick_ms(&mut Cells::new(memory));
         }
         self.elements.serve(rate, true, memory);
+        // The buses run in PLC time, which stands while the debugger holds the program.
+        if rate != Rate::Fast {
+            return;
+        }
+        self.serial.tick();
+        self.can.tick();
+        self.drives.tick();
+        if millis.is_multiple_of(20) {
+            self.units.cycle();
+            self.drives.inputs(memory);
+            self.ethercat.cycle();
+        }
     }
 
     fn outputs(&mut self, rate: Rate, _millis: u64, memory: &mut [u8]) {
@@ -205,12 +289,20 @@ impl Control for SimulatedControl {
         self.messages.next()
     }
 
+    fn next_call(&mut self, memory: &mut [u8]) -> Option<ControlCall> {
+        self.can.next_call(memory)
+    }
+
     fn start(&mut self, cold: bool) {
         self.motion.start(cold);
         self.elements.start();
         self.messages = Messages::default();
         self.shared.start(cold);
         self.tables.start();
+        self.serial.start();
+        self.can.start();
+        self.drives.start(cold);
+        self.ethercat.start(cold);
     }
 
     fn power_on(&mut self, memory: &mut [u8]) {

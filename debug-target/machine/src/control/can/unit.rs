@@ -1,0 +1,150 @@
+//! Units that the control itself serves on the CAN bus: INOUT08, KLA50 and hand panels (manual 9.5).
+
+use alloc::collections::BTreeMap;
+
+use technol_image::op::Width::{self, Byte, DWord, Word};
+use technol_image::service::Service;
+use technol_runtime::{Call, FaultKind};
+
+use super::number;
+
+/// Who fills a member.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum By {
+    Control,
+    Program,
+}
+use By::{Control, Program};
+
+/// Members of the structure INOUTS.
+const MEMBERS: [(&str, Width, By); 43] = [
+    ("SIZE", Word, Control),
+    ("PRESENT", Byte, Control),
+    ("MODE", Byte, Program),
+    ("VENDORID", DWord, Control),
+    ("DEVICENAME", DWord, Control),
+    ("HWVERSION", DWord, Control),
+    ("SWVERSION", DWord, Control),
+    ("IN0", Byte, Control),
+    ("IN1", Byte, Control),
+    ("IN2", Byte, Control),
+    ("IN3", Byte, Control),
+    ("OUT0", Byte, Program),
+    ("OUT1", Byte, Program),
+    ("OUT2", Byte, Program),
+    ("ANL0", Byte, Control),
+    ("ANL1", Byte, Control),
+    ("ANL2", Byte, Control),
+    ("ANL3", Byte, Control),
+    ("ANL4", Byte, Control),
+    ("ANL5", Byte, Control),
+    ("ANL6", Byte, Control),
+    ("ANL7", Byte, Control),
+    ("ERROR", Byte, Control),
+    ("ERR_CODE", Byte, Control),
+    ("ERR_STAT", Byte, Control),
+    ("CONTROL", Byte, Program),
+    ("COUNT", Word, Control),
+    ("SEND_REQ", Byte, Program),
+    ("RESP_COUNT", Byte, Control),
+    ("SHORT_SEND_REQ", Byte, Program),
+    ("SHORT_OUT0", Byte, Program),
+    ("SHORT_OUT1", Byte, Program),
+    ("SHORT_OUT2", Byte, Program),
+    ("RPDO_COUNT", Word, Control),
+    ("TPDO_COUNT", Word, Control),
+    ("PXIN", Word, Control),
+    ("PXOUT", Word, Control),
+    ("MODE_ACT", Byte, Control),
+    ("MODE_FAZE", Byte, Control),
+    ("TL0", Byte, Control),
+    ("TL1", Byte, Control),
+    ("TL2", Byte, Control),
+    ("TL3", Byte, Control),
+];
+
+fn member(name: &str) -> Option<usize> {
+    MEMBERS.iter().position(|(known, ..)| known.eq_ignore_ascii_case(name))
+}
+
+fn mask(width: Width) -> u32 {
+    u32::MAX >> (32 - width.bits().min(32))
+}
+
+/// A unit.
+#[derive(Clone, Debug)]
+pub struct CanUnit {
+    /// What the program sees.
+    seen: [u32; MEMBERS.len()],
+    /// What the unit says.
+    said: [u32; MEMBERS.len()],
+}
+
+impl Default for CanUnit {
+    fn default() -> CanUnit {
+        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()] };
+        unit.set("PRESENT", 1);
+        unit.seen = unit.said;
+        unit
+    }
+}
+
+impl CanUnit {
+    /// Sets a member, cut to its width. Members that the control fills reach the program in the next cycle. `false`: there is
+    /// no such member.
+    pub fn set(&mut self, name: &str, value: u32) -> bool {
+        let Some(n) = member(name) else { return false };
+        let (_, width, by) = MEMBERS[n];
+        let place = if by == Control { &mut self.said[n] } else { &mut self.seen[n] };
+        *place = value & mask(width);
+        true
+    }
+
+    /// A member as the program sees it.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<u32> {
+        member(name).map(|n| self.seen[n])
+    }
+
+    /// A cycle begins: the unit follows its mode, and what it says is the truth again.
+    fn cycle(&mut self) {
+        let mode = self.get("MODE").unwrap_or(0);
+        self.set("MODE_ACT", mode);
+        for (n, (.., by)) in MEMBERS.iter().enumerate() {
+            if *by == Control {
+                self.seen[n] = self.said[n];
+            }
+        }
+    }
+}
+
+/// The units by channel, group and number.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct Units {
+    all: BTreeMap<(u16, u16, u16), CanUnit>,
+}
+
+impl Units {
+    pub(in super::super) fn unit(&mut self, can: u8, group: u8, board: u8) -> &mut CanUnit {
+        self.all.entry((can.into(), group.into(), board.into())).or_default()
+    }
+
+    /// A cycle of 20 ms begins.
+    pub(in super::super) fn cycle(&mut self) {
+        self.all.values_mut().for_each(CanUnit::cycle);
+    }
+
+    /// CAN_SYSIO_READ and CAN_SYSIO_WRITE.
+    pub(in super::super) fn execute(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
+        let key = (number(call, 0)?, number(call, 1)?, number(call, 2)?);
+        let found = self.all.get_mut(&key).zip(call.keyword(3).and_then(member));
+        call.set_rlo(found.is_none());
+        let Some((unit, n)) = found else { return Ok(()) };
+        if call.service() == Service::CanSysioRead {
+            call.set_dr(i64::from(unit.seen[n]));
+        } else {
+            unit.seen[n] = call.dr() as u32 & mask(MEMBERS[n].1);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,207 @@
+//! The EtherCAT master and its slaves (manual 26). Its instructions take several cycles; each place in the program has at
+//! most one transfer.
+
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+
+use technol_runtime::{Call, FaultKind};
+
+mod slave;
+mod transfer;
+
+pub use slave::{EcatSlave, EcatState};
+
+use transfer::{Answer, NO_ANSWER, NO_MAILBOX, NO_SLAVE, Order, STATE_LEN, Transfer};
+
+/// A cycle of the program in milliseconds: a line not executed in the one before begins anew.
+const CYCLE: u64 = 20;
+/// Cycles until a slave that does not answer is given up.
+const TIMEOUT: u32 = 50;
+/// Slaves of a master.
+const MAX_SLAVES: u16 = 256;
+
+/// Master 0 with its slaves.
+#[derive(Clone, Debug)]
+pub struct EtherCat {
+    state: EcatState,
+    goal: EcatState,
+    slaves: Vec<EcatSlave>,
+    answer_cycles: u32,
+    transfers: BTreeMap<u16, Transfer>,
+}
+
+impl Default for EtherCat {
+    fn default() -> EtherCat {
+        EtherCat {
+            state: EcatState::Operational,
+            goal: EcatState::Operational,
+            slaves: Vec::new(),
+            answer_cycles: 2,
+            transfers: BTreeMap::new(),
+        }
+    }
+}
+
+impl EtherCat {
+    /// The slave at a place of the wiring, from 0; it and those before it are added when they are missing. `None`: places end at
+    /// 255.
+    pub fn slave_mut(&mut self, place: u16) -> Option<&mut EcatSlave> {
+        if place >= MAX_SLAVES {
+            return None;
+        }
+        let len = self.slaves.len().max(usize::from(place) + 1);
+        self.slaves.resize_with(len, EcatSlave::default);
+        self.slaves.get_mut(usize::from(place))
+    }
+
+    /// State of the master; OPERATIONAL at first.
+    #[must_use]
+    pub fn state(&self) -> EcatState {
+        self.state
+    }
+
+    /// Cycles of 20 ms until a slave has answered: 2 at first, at least 1.
+    pub fn set_answer_cycles(&mut self, cycles: u32) {
+        self.answer_cycles = cycles.clamp(1, TIMEOUT - 1);
+    }
+
+    /// A start of the PLC: its transfers are forgotten.
+    pub(super) fn start(&mut self, cold: bool) {
+        self.transfers.clear();
+        if cold {
+            (self.state, self.goal) = (EcatState::Operational, EcatState::Operational);
+            self.slaves.iter_mut().for_each(EcatSlave::power_on);
+        }
+    }
+
+    /// A cycle of 20 ms begins.
+    pub(super) fn cycle(&mut self) {
+        self.state = self.state.toward(self.goal);
+        for slave in self.slaves.iter_mut().filter(|slave| !slave.silent) {
+            slave.state = slave.state.toward(slave.goal);
+        }
+        let mut transfers = core::mem::take(&mut self.transfers);
+        for transfer in transfers.values_mut().filter(|transfer| transfer.result.is_none()) {
+            transfer.waited += 1;
+            transfer.result = self.carry_out(transfer);
+        }
+        self.transfers = transfers;
+    }
+
+    /// The result, when it is time for one.
+    fn carry_out(&mut self, transfer: &Transfer) -> Option<Result<Answer, u32>> {
+        let order = match &transfer.order {
+            Ok(order) => order,
+            Err(error) => return Some(Err(*error)),
+        };
+        if order.slave().is_some_and(|slave| usize::from(slave) >= self.slaves.len()) {
+            return Some(Err(NO_SLAVE));
+        }
+        let ready = match order {
+            Order::Lead { slave, goal } => self.are_in(*slave, *goal),
+            _ => transfer.waited >= self.answer_cycles && order.slave().is_none_or(|n| self.answers(n)),
+        };
+        match ready {
+            true => Some(self.answer(order, transfer.wanted())),
+            false if transfer.waited >= TIMEOUT => Some(Err(NO_ANSWER)),
+            false => None,
+        }
+    }
+
+    fn answers(&self, slave: u16) -> bool {
+        self.slaves.get(usize::from(slave)).is_some_and(|slave| !slave.silent)
+    }
+
+    fn are_in(&self, slave: Option<u16>, goal: EcatState) -> bool {
+        match slave {
+            Some(slave) => self.slaves.get(usize::from(slave)).is_some_and(|slave| slave.state == goal),
+            None => self.state == goal && self.slaves.iter().all(|slave| slave.state == goal),
+        }
+    }
+
+    fn answer(&mut self, order: &Order, wanted: u32) -> Result<Answer, u32> {
+        let slave = match order {
+            Order::Lead { .. } => return Ok(Answer::Done),
+            Order::State { slave } => {
+                let slave = slave.and_then(|slave| self.slaves.get(usize::from(slave)));
+                let state = slave.map_or(self.state, |slave| slave.state);
+                let mut data = (state as u32).to_le_bytes().to_vec();
+                data.truncate(wanted.min(STATE_LEN) as usize);
+                return Ok(Answer::Data(data));
+            }
+            _ => order.slave().and_then(|slave| self.slaves.get_mut(usize::from(slave))),
+        };
+        let slave = slave.ok_or(NO_SLAVE)?;
+        if !slave.state.has_mailbox() {
+            return Err(NO_MAILBOX);
+        }
+        match order {
+            Order::ReadObject { index, subindex, .. } => {
+                slave.objects.upload(*index, *subindex).map(|data| Answer::Data(data.to_vec()))
+            }
+            Order::WriteObject { index, subindex, data, .. } => {
+                slave.objects.download(*index, *subindex, data).map(|()| Answer::Written(data.len()))
+            }
+            Order::ReadRegister { drive, idn, element, .. } => {
+                slave.read_register(*drive, *idn, *element).map(|data| Answer::Data(data.to_vec()))
+            }
+            Order::WriteRegister { drive, idn, element, data, .. } => {
+                slave.write_register(*drive, *idn, *element, data).map(|()| Answer::Written(data.len()))
+            }
+            Order::Lead { .. } | Order::State { .. } => Ok(Answer::Done),
+        }
+    }
+
+    /// A command to lead begins: who is addressed gets the goal.
+    fn lead(&mut self, slave: Option<u16>, goal: EcatState) {
+        if let Some(slave) = slave {
+            if let Some(slave) = self.slaves.get_mut(usize::from(slave)) {
+                slave.goal = goal;
+            }
+        } else {
+            self.goal = goal;
+            self.slaves.iter_mut().for_each(|slave| slave.goal = goal);
+        }
+    }
+
+    pub(super) fn execute(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
+        let (place, now) = (call.index(), call.millis());
+        let goes_on = |transfer: &&mut Transfer| now.saturating_sub(transfer.seen) <= CYCLE;
+        if let Some(transfer) = self.transfers.get_mut(&place).filter(goes_on) {
+            transfer.seen = now;
+            if transfer.finish(call)? {
+                self.transfers.remove(&place);
+            }
+            return Ok(());
+        }
+        let transfer = Transfer::begin(call)?;
+        if let Ok(Order::Lead { slave, goal }) = transfer.order {
+            self.lead(slave, goal);
+        }
+        transfer.finish(call)?;
+        self.transfers.insert(place, transfer);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::EcatState::{Bootstrap, Init, Operational, PreOperational, SafeOperational};
+
+    #[test]
+    fn states_are_left_up_one_by_one_down_at_once_and_bootstrap_by_init() {
+        for (from, goal, expected) in [
+            (Init, Operational, [PreOperational, SafeOperational, Operational, Operational]),
+            (Operational, PreOperational, [PreOperational; 4]),
+            (Operational, Bootstrap, [Init, Bootstrap, Bootstrap, Bootstrap]),
+            (Bootstrap, SafeOperational, [Init, PreOperational, SafeOperational, SafeOperational]),
+            (Bootstrap, Init, [Init; 4]),
+        ] {
+            let mut state = from;
+            for next in expected {
+                state = state.toward(goal);
+                assert_eq!(state, next, "{from:?} to {goal:?}");
+            }
+        }
+    }
+}

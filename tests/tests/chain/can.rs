@@ -1,0 +1,234 @@
+//! The CAN bus (manual 9.4, 9.5) and packets to CAN drives (13.14). A packet lies in PACKET.
+
+use technol_machine::{CAN_QUEUE, CanPacket};
+
+use crate::plc::Plc;
+
+#[test]
+fn packets_are_sent_as_they_are_and_dr_tells_that_they_are_queued() {
+    let mut plc = Plc::of("LDR I0 / CAN_SEND 2,PACKET / STO D1 / WR O0");
+    plc.set("I0=1 D1=-1 QWRD.PACKET=4433221103000123h DWRD.(PACKET+8)=0");
+    plc.run(1);
+    // RLO stays.
+    assert_eq!(plc.differences("D1=0 O0=1"), [""; 0]);
+    plc.run(1);
+    let sent = plc.control().can_mut().take_sent(2);
+    assert_eq!(
+        sent[0],
+        CanPacket { id: 0x123, remote: false, len: 3, data: [0x11, 0x22, 0x33, 0x44, 0, 0, 0, 0] }
+    );
+    assert_eq!(plc.control().can_mut().take_sent(1), []);
+}
+
+#[test]
+fn a_length_above_eight_is_eight_and_a_remote_flag_is_any_number() {
+    let mut plc = Plc::of("CAN_SEND 1,PACKET");
+    plc.set("QWRD.PACKET=000000000C40FFFFh");
+    plc.run(2);
+    let sent = plc.control().can_mut().take_sent(1);
+    assert_eq!((sent[0].id, sent[0].remote, sent[0].len), (0x7FF, true, 8));
+}
+
+#[test]
+fn a_full_queue_refuses_a_packet() {
+    let mut plc = Plc::of("CAN_SEND 2,PACKET / STO D1 / CAN_SEND 1,PACKET / STO D2");
+    plc.control().can_mut().set_blocked(2, true);
+    plc.run(CAN_QUEUE as u32);
+    assert_eq!(plc.differences("D1=0 D2=0"), [""; 0]);
+    plc.run(1);
+    assert_eq!(plc.differences("D1=1 D2=0"), [""; 0]);
+    assert_eq!(plc.control().can_mut().take_sent(2), []);
+    plc.control().can_mut().set_blocked(2, false);
+    plc.run(1);
+    assert_eq!(plc.differences("D1=0"), [""; 0]);
+}
+
+#[test]
+fn packets_are_received_in_order_and_an_empty_queue_leaves_everything_but_dr() {
+    let mut plc = Plc::of("LDR I0 / CAN_RECV 2,PACKET / STO D1 / WR O0");
+    plc.set("I0=1");
+    plc.control().can_mut().feed(2, CanPacket::new(0x181, &[1, 2]));
+    plc.control().can_mut().feed(1, CanPacket::new(0x300, &[9]));
+    plc.control().can_mut().feed(2, CanPacket { remote: true, ..CanPacket::new(0x182, &[3]) });
+    plc.run(1);
+    assert_eq!(plc.differences("D1=0 QWRD.PACKET=0000020102000181h O0=1"), [""; 0]);
+    plc.run(1);
+    assert_eq!(plc.differences("D1=0 QWRD.PACKET=0000000301010182h"), [""; 0]);
+    plc.run(1);
+    assert_eq!(plc.differences("D1=2 QWRD.PACKET=0000000301010182h"), [""; 0]);
+}
+
+#[test]
+fn more_packets_than_the_queue_holds_are_lost() {
+    let mut plc = Plc::of("CAN_RECV 1,PACKET / EQ CNST.0 / JL0 L9 / LOD W1 / INR / STO W1 / L9:");
+    for n in 0..CAN_QUEUE as u16 + 3 {
+        plc.control().can_mut().feed(1, CanPacket::new(n, &[]));
+    }
+    assert_eq!(plc.control().can_mut().lost(), 3);
+    plc.run(CAN_QUEUE as u32 + 5);
+    assert_eq!(plc.differences(&format!("W1={CAN_QUEUE} WORD.PACKET={}", CAN_QUEUE - 1)), [""; 0]);
+}
+
+/// Counts packets in W1, sums their first data bytes in W2, keeps the channel in D1.
+const ANSWER: &str = "LOD W1 / STO W1 / PROC_BEGIN ANSWER / STO D1 / LOD W1 / INR / STO W1 / LOD BYTE.(PACKET+4) / AD W2 / \
+                      STO W2 / PROC_END ANSWER";
+
+fn listening(request: &str) -> Plc {
+    Plc::with_init(&format!("{request} / STO D2 / WR O0"), ANSWER)
+}
+
+#[test]
+fn a_procedure_is_called_for_each_packet_in_the_range() {
+    let mut plc = listening("CAN_RECV_REQ 2,580h,-,21h,24h,ANSWER,PACKET");
+    assert_eq!(plc.differences("O0=1 D2=1"), [""; 0]);
+    for (n, id) in [0x5A1, 0x5A4, 0x5A0, 0x5A5, 0x521, 0x621, 0x5A2].into_iter().enumerate() {
+        plc.control().can_mut().feed(2, CanPacket::new(id, &[1 << n]));
+    }
+    // Another channel.
+    plc.control().can_mut().feed(1, CanPacket::new(0x5A1, &[0x80]));
+    plc.run(1);
+    // 5A1h, 5A4h and 5A2h, the last of them stays in PACKET.
+    assert_eq!(plc.differences("W1=3 W2=67 D1=2 WORD.PACKET=5A2h"), [""; 0]);
+    plc.run(1);
+    assert_eq!(plc.differences("W1=3"), [""; 0]);
+}
+
+#[test]
+fn a_range_of_objects_and_a_single_node() {
+    let mut plc = listening("CAN_RECV_REQ 1,180h,280h,5,-,ANSWER,PACKET");
+    for id in [0x185, 0x205, 0x285, 0x105, 0x305, 0x204, 0x206] {
+        plc.control().can_mut().feed(1, CanPacket::new(id, &[]));
+    }
+    plc.run(1);
+    assert_eq!(plc.differences("W1=3 D1=1 WORD.PACKET=285h"), [""; 0]);
+}
+
+#[test]
+fn the_procedures_run_before_the_cycle_and_only_from_its_start() {
+    let mut plc = Plc::with_init(
+        "CAN_RECV_REQ 2,580h,-,1,-,P,PACKET",
+        "LOD W1 / STO W2 / PROC_BEGIN P / LOD FIVE / STO W1 / PROC_END P",
+    );
+    plc.run(1);
+    assert_eq!(plc.differences("W2=0"), [""; 0]);
+    plc.control().can_mut().feed(2, CanPacket::new(0x581, &[]));
+    plc.run(1);
+    // The procedure stands behind in the text, and was executed before.
+    assert_eq!(plc.differences("W1=5 W2=5"), [""; 0]);
+}
+
+#[test]
+fn a_cancelled_request_calls_nothing() {
+    for name in ["CAN_RECV_END", "CAN_RECV_DEL"] {
+        let init = "CAN_RECV_REQ 2,580h,-,1,-,ANSWER,PACKET / STO D2";
+        let mut plc = Plc::with_init(init, &format!("LDR I0 / JL0 L8 / {name} D2 / WR O0 / L8: / {ANSWER}"));
+        plc.control().can_mut().feed(2, CanPacket::new(0x581, &[]));
+        plc.set("I0=1 O0=0");
+        plc.run(1);
+        assert_eq!(plc.differences("W1=1 O0=1"), [""; 0], "{name}");
+        plc.control().can_mut().feed(2, CanPacket::new(0x581, &[]));
+        plc.run(1);
+        // The second time there is no such request.
+        assert_eq!(plc.differences("W1=1 O0=0"), [""; 0], "{name}");
+    }
+}
+
+#[test]
+fn requests_end_with_the_program_and_an_inactive_channel_refuses_them() {
+    let mut plc = listening("CAN_RECV_REQ 2,580h,-,1,-,ANSWER,PACKET");
+    plc.control().can_mut().set_active(2, false);
+    plc.restart();
+    assert_eq!(plc.differences("O0=0"), [""; 0]);
+    plc.control().can_mut().set_active(2, true);
+    plc.control().can_mut().feed(2, CanPacket::new(0x581, &[]));
+    plc.run(1);
+    assert_eq!(plc.differences("W1=0"), [""; 0]);
+}
+
+#[test]
+fn members_of_units_have_their_widths_and_rlo_0_is_success() {
+    let read = "CAN_SYSIO_READ 2,1,3,ANL0 / WR O0 / STO D1 / CAN_SYSIO_READ 2,1,3,VENDORID / WR O1 / STO QWRD.Q1 / \
+                LOD FIVE / CAN_SYSIO_READ 2,1,4,ANL0 / WR O2 / STO D2";
+    let mut plc = Plc::of(read);
+    let unit = plc.control().can_unit_mut(2, 1, 3);
+    assert!(unit.set("anl0", 0x1FE) && unit.set("VENDORID", 0xFFFF_FFFF) && !unit.set("ANL8", 1));
+    plc.set("OB=0");
+    plc.run(2);
+    // Without sign into the whole DR; of a unit that is not there DR stays.
+    assert_eq!(plc.differences("OB=100b D1=0FEh QWRD.Q1=0FFFFFFFFh D2=5"), [""; 0]);
+}
+
+#[test]
+fn what_the_control_fills_is_true_again_in_the_next_cycle() {
+    let lines = "LOD CNST.101h / CAN_SYSIO_WRITE 2,1,4,MODE / WR O0 / CAN_SYSIO_WRITE 2,1,4,IN0 / STO W1 / \
+                 CAN_SYSIO_READ 2,1,4,IN0 / STO W2 / CAN_SYSIO_WRITE 2,2,4,MODE / WR O1";
+    let mut plc = Plc::of(lines);
+    plc.control().can_unit_mut(2, 1, 4).set("IN0", 0x70);
+    plc.set("OB=1");
+    plc.run(1);
+    // A byte of DR, which stays.
+    assert_eq!(plc.differences("O0=0 O1=1 W1=101h W2=1"), [""; 0]);
+    let seen = |plc: &mut Plc, name| plc.control().can_unit_mut(2, 1, 4).get(name);
+    assert_eq!((seen(&mut plc, "MODE"), seen(&mut plc, "MODE_ACT")), (Some(1), Some(0)));
+    let mut idle = Plc::of("CAN_SYSIO_READ 2,1,4,IN0 / STO W2");
+    idle.control().can_unit_mut(2, 1, 4).set("IN0", 0x70);
+    idle.run(2);
+    assert_eq!(idle.differences("W2=70h"), [""; 0]);
+    plc.run(1);
+    assert_eq!(seen(&mut plc, "MODE_ACT"), Some(1));
+}
+
+/// Sends the request in Q1 to the drive of axis 2 once when I0 rises, copies answer and busy byte.
+const SEND: &str = "EDGE_H I0 / JL0 L8 / LOD QWRD.Q1 / STO QWRD.CAN_AX_SEND_PACKET.CAN_DATA / LDR I1 / LOD FIVE / CAN_AX_SEND 2 / \
+                    STO D1 / WR O0 / L8: / LOD CAN_AX_BUSY / STO W1 / LOD QWRD.CAN_AX_RECV_PACKET / STO QWRD.Q2 / \
+                    LOD DWRD.CAN_AX_RECV_PACKET.CAN_DATA_4 / STO D2 / LOD DWRD.CAN_AX_SEND_PACKET / STO DWRD.AREA";
+
+fn ask(plc: &mut Plc, request: &str) {
+    plc.set("I0=0");
+    plc.run(1);
+    plc.set(&format!("I0=1 I1=1 QWRD.Q1={request}"));
+    plc.run(1);
+    assert_eq!(plc.differences("W1=-1 D1=5 O0=1 DWRD.AREA=08000602h"), [""; 0], "{request}");
+    plc.run(1);
+}
+
+#[test]
+fn a_drive_answers_a_packet_and_clears_the_busy_byte() {
+    let mut plc = Plc::of(SEND);
+    let drive = plc.control().can_drive_mut(2);
+    drive.set_object(0x6060, 0, &[1], false);
+    drive.set_object(0x6041, 0, &[0x37, 0x82], true);
+    // 2Fh: write one byte.
+    ask(&mut plc, "000000060060602Fh");
+    assert_eq!(plc.differences("W1=0 QWRD.Q2=0060606008000582h D2=0"), [""; 0]);
+    assert_eq!(plc.control().can_drive_mut(2).object(0x6060, 0), Some(&[6][..]));
+    // 40h: read; 4Bh: two bytes come.
+    ask(&mut plc, "0000000000604140h");
+    assert_eq!(plc.differences("W1=0 QWRD.Q2=0060414B08000582h D2=8237h"), [""; 0]);
+    // Refusals: read only, too long, no such object, no such subindex.
+    for (request, code) in [
+        ("000000010060412Bh", "06010002h"),
+        ("000000060060602Bh", "06070012h"),
+        ("0000000000607040h", "06020000h"),
+        ("0000000001606040h", "06090011h"),
+    ] {
+        ask(&mut plc, request);
+        assert_eq!(plc.differences(&format!("W1=0 BYTE.Q2=82h D2={code}")), [""; 0], "{request}");
+    }
+}
+
+#[test]
+fn a_silent_drive_leaves_the_busy_byte() {
+    let mut plc = Plc::of(SEND);
+    plc.run(1);
+    plc.set("I0=1 I1=1 QWRD.Q1=40h");
+    plc.run(20);
+    assert_eq!(plc.differences("W1=-1 QWRD.Q2=0"), [""; 0]);
+    // As soon as it answers, a packet sent again is answered.
+    plc.control().can_drive_mut(2).set_silent(true);
+    ask(&mut plc, "0000000000604140h");
+    assert_eq!(plc.differences("W1=-1"), [""; 0]);
+    plc.control().can_drive_mut(2).set_silent(false);
+    ask(&mut plc, "0000000000604140h");
+    assert_eq!(plc.differences("W1=0"), [""; 0]);
+}
