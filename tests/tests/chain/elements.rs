@@ -13,11 +13,11 @@ fn holds(plc: &Plc, values: &str) {
 }
 
 fn set(plc: &mut Plc, id: &str, value: impl Into<ElementValue>) {
-    plc.control().set_input(id, value).unwrap();
+    plc.control().set_input(id, value).expect("an input");
 }
 
 fn port(name: &str) -> Signal {
-    name.parse().unwrap()
+    name.parse().expect("a signal")
 }
 
 #[test]

@@ -99,7 +99,8 @@ impl Plc {
             text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
         };
         let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
-        let modules: String = modules.split(" / ").map(|line| format!("{}\n", indented(line))).collect();
+        let modules: String =
+            modules.split(" / ").flat_map(|line| [indented(line), "\n".to_owned()]).collect();
         Plc::load(source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
     }
 
