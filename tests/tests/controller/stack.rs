@@ -99,7 +99,7 @@ fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
     let Some(replay) = bare::replay() else { return };
     let text = |names: &[&str]| {
         let mut objdump = Process::new("objdump");
-        let output = objdump.args(["-d", "--no-show-raw-insn"]).args(names).arg(&replay).output();
+        let output = objdump.args(["-d", "--no-show-raw-insn"]).args(names).arg(replay).output();
         String::from_utf8_lossy(&output.expect("objdump runs").stdout).into_owned()
     };
     let mut functions = functions(&text(&[]), &text(&["-C"]));
