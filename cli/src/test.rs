@@ -95,8 +95,12 @@ fn once(arguments: &TestArguments, look: &mut Look) -> Outcome {
         let filter = arguments.filter.as_deref().unwrap_or_default();
         return Err(Failure::usage(format!("--filter {filter}: none of the {all} tests is called so")));
     }
+    // What a test changes in tables and backed-up memory ends with it.
+    let (data, _) =
+        crate::control_data::control_data(Some(&project.loaded), None, None).map_err(Failure::usage)?;
     let bench = Bench {
         program: &program,
+        data: &data,
         debug: &debug,
         mechanisms: &mechanisms,
         machines: &machines,

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use technol_image::{DebugInfo, Program};
-use technol_machine::{BlockMode, BlockStart};
+use technol_machine::{BlockMode, BlockStart, ControlData};
 use technol_runtime::{Command, RuntimeEvent};
 use technol_target::Simulation;
 
@@ -18,6 +18,8 @@ use crate::run::changes::assign;
 /// What all tests share.
 pub(super) struct Bench<'a> {
     pub(super) program: &'a Program,
+    /// What the control has on its disk at power-on.
+    pub(super) data: &'a ControlData,
     pub(super) debug: &'a DebugInfo,
     pub(super) mechanisms: &'a Mechanisms,
     pub(super) machines: &'a Machines,
@@ -81,6 +83,7 @@ pub(super) fn execute(test: &Test, bench: &Bench<'_>) -> Verdict {
             return Verdict { failure: Some(failure), ms: 0, took: start.elapsed(), counts: None };
         }
     };
+    simulation.set_data(bench.data.clone());
     simulation.runtime_mut().count_statements(bench.coverage);
     let mut run = Run {
         simulation,

@@ -133,6 +133,7 @@ impl Fixture {
 
     fn run(&self, test: &Test) -> Verdict {
         let Fixture { program, debug, mechanisms, machines } = self;
-        execute(test, &Bench { program, debug, mechanisms, machines, coverage: false })
+        let data = &technol_machine::ControlData::default();
+        execute(test, &Bench { program, data, debug, mechanisms, machines, coverage: false })
     }
 }

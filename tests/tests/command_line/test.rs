@@ -261,3 +261,16 @@ fn watching_runs_again_after_a_change_of_program_or_test() {
     until("2 tests in 1 file");
     assert!(running.0.try_wait().expect("a process").is_none(), "it runs until it is ended");
 }
+
+#[test]
+fn a_test_sees_the_configuration_of_the_project() {
+    let folder = Folder::lone(&program(DATA, "", " CNF_GET_INT COUNT,'Count'"));
+    folder.write("p.ChannelConfig", b"<C><Plc><PlcParam ID=\"Count\" Type=\"Int\">42</PlcParam></Plc></C>");
+    folder.write(
+        "plc.test.toml",
+        b"[[test]]\nname = \"the parameter is read\"\nstep = [{ wait = 20, expect = { COUNT = 42 } }]\n",
+    );
+    folder.write("technol.toml", b"[project]\nname = \"p\"\nmain = \"plc.plc\"\n");
+    let out = run(&["test", &folder.path("technol.toml")]).ok();
+    assert!(out.contains("1 passed"), "{out}");
+}
