@@ -27,6 +27,7 @@ mod ramp;
 mod settings;
 mod signal;
 mod slide;
+mod state_hash;
 mod turret;
 mod wiring;
 

@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
-use core::fmt::{self, Write};
+use core::fmt;
 
 use technol_image::program::FASTEST_PERIODS;
 
@@ -316,11 +316,7 @@ impl Plant {
     /// A number that two machines of the same description share when they are in the same state.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        // How a value shows itself has every field of every element in it, also of those that are added later.
-        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
-        // Writing into the hash does not fail.
-        let _ = write!(hash, "{self:?}");
-        hash.0
+        crate::state_hash::of(self)
     }
 
     /// Indices of the input ports (0 is P1IN) that are copied each millisecond.
@@ -344,16 +340,4 @@ impl Plant {
 
 fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> UnknownName {
     UnknownName { name: name.to_string(), known: known.map(ToString::to_string).collect() }
-}
-
-/// 64-bit FNV-1a.
-struct Fnv(u64);
-
-impl Write for Fnv {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0 = text
-            .bytes()
-            .fold(self.0, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
-        Ok(())
-    }
 }

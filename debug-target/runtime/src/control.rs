@@ -257,6 +257,17 @@ impl Call<'_> {
         self.memory.bytes_mut()
     }
 
+    /// All bytes of operand `n`: those of a literal, of a cell, up to the end of an area; none of other operands.
+    ///
+    /// # Errors
+    /// BX leads outside memory.
+    pub fn content(&self, n: usize) -> Result<&[u8], FaultKind> {
+        match self.area(n)? {
+            Some((addr, len)) => self.bytes(addr, len),
+            None => Ok(self.text(n)?.unwrap_or_default()),
+        }
+    }
+
     /// Bytes of memory.
     ///
     /// # Errors

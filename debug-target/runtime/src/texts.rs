@@ -26,21 +26,13 @@ fn count(call: &Call<'_>) -> Result<Option<usize>, FaultKind> {
     Ok(call.integer(2)?.map(|count| usize::try_from(count).unwrap_or(0)))
 }
 
-/// The bytes of an operand: all that may be used.
-fn whole<'a>(call: &'a Call<'_>, n: usize) -> Result<&'a [u8], FaultKind> {
-    match call.area(n)? {
-        Some((addr, len)) => call.bytes(addr, len),
-        None => Ok(call.text(n)?.unwrap_or_default()),
-    }
-}
-
 /// STRCPY and MEMCPY. A text keeps a byte for its end mark: that is written when the source ends or fills the target, and
 /// not when `num` characters were copied, so that the target gets no shorter.
 fn copy(call: &mut Call<'_>, text: bool) -> Result<(), FaultKind> {
     let Some((addr, len)) = call.area(0)? else { return Ok(()) };
     let wanted = count(call)?;
     let room = if text { (len as usize).saturating_sub(1) } else { len as usize };
-    let source = if text { call.text(1)?.unwrap_or_default() } else { whole(call, 1)? };
+    let source = if text { call.text(1)?.unwrap_or_default() } else { call.content(1)? };
     let asked = wanted.unwrap_or(usize::MAX).min(room);
     let taken = source.len().min(asked);
     // The source may lie inside the target, so the bytes are taken out first.
@@ -76,7 +68,7 @@ fn compare(call: &mut Call<'_>, text: bool) -> Result<(), FaultKind> {
             None => a == b,
         }
     } else {
-        let (a, b) = (whole(call, 0)?, whole(call, 1)?);
+        let (a, b) = (call.content(0)?, call.content(1)?);
         let len = wanted.unwrap_or(b.len());
         a.get(..len).is_some_and(|a| Some(a) == b.get(..len))
     };

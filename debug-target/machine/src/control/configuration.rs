@@ -55,7 +55,7 @@ fn default(call: &Call<'_>) -> Result<Value, FaultKind> {
         ValueKind::Int => Value::Int(operand::integer(call, 2)?),
         ValueKind::Real => Value::Real(operand::real(call, 2)?),
         ValueKind::Text => Value::Text(call.text(2)?.unwrap_or_default().to_vec()),
-        ValueKind::Bytes => Value::Bytes(operand::bytes(call, 2)?.to_vec()),
+        ValueKind::Bytes => Value::Bytes(call.content(2)?.to_vec()),
     })
 }
 

@@ -12,7 +12,7 @@ pub(super) fn integer(call: &Call<'_>, n: usize) -> Result<i64, FaultKind> {
     match call.arg(n) {
         Arg::Area { .. } => {
             let mut all = [0; 4];
-            fill(&mut all, bytes(call, n)?);
+            fill(&mut all, call.content(n)?);
             Ok(i64::from(i32::from_le_bytes(all)))
         }
         _ => Ok(call.integer(n)?.unwrap_or(0)),
@@ -24,18 +24,10 @@ pub(super) fn real(call: &Call<'_>, n: usize) -> Result<f64, FaultKind> {
     match call.arg(n) {
         Arg::Cell { neg: false, .. } | Arg::Area { .. } => {
             let mut all = [0; 8];
-            fill(&mut all, bytes(call, n)?);
+            fill(&mut all, call.content(n)?);
             Ok(f64::from_le_bytes(all))
         }
         _ => Ok(call.real(n)?.unwrap_or(0.0)),
-    }
-}
-
-/// All bytes of an operand: those of a literal, of a cell, up to the end of an area.
-pub(super) fn bytes<'a>(call: &'a Call<'_>, n: usize) -> Result<&'a [u8], FaultKind> {
-    match call.area(n)? {
-        Some((addr, len)) => call.bytes(addr, len),
-        None => Ok(call.text(n)?.unwrap_or_default()),
     }
 }
 

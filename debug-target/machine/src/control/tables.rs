@@ -197,7 +197,7 @@ fn written(call: &Call<'_>) -> Result<Option<Value>, FaultKind> {
         Service::PlctSetInt => Value::Int(i64::from(operand::integer(call, 3)? as i32)),
         Service::PlctSetReal => Value::Real(operand::real(call, 3)?),
         Service::PlctSetStr => Value::Text(call.text(3)?.unwrap_or_default().to_vec()),
-        Service::PlctSetBin => Value::Bytes(operand::bytes(call, 3)?.to_vec()),
+        Service::PlctSetBin => Value::Bytes(call.content(3)?.to_vec()),
         _ => return Ok(None),
     }))
 }

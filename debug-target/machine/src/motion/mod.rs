@@ -10,7 +10,7 @@
 //! that an axis reaches is seen by the program in the same millisecond, and what the program wants moves in the next.
 
 use alloc::vec::Vec;
-use core::fmt::{self, Write};
+use core::fmt;
 
 use crate::config::MachineConfig;
 
@@ -292,11 +292,7 @@ impl Motion {
 
     /// A number that two of the same machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
-        // How a value shows itself has every field in it, also those that are added later.
-        let mut hash = Fnv(0xCBF2_9CE4_8422_2325);
-        // Writing into the hash does not fail.
-        let _ = write!(hash, "{self:?}");
-        hash.0
+        crate::state_hash::of(self)
     }
 
     /// Values of the analogue outputs; 7FFFh is 10 V.
@@ -321,16 +317,4 @@ impl Motion {
 /// The index of an axis of this number.
 fn index(axis: u8) -> Result<usize, Refused> {
     if (1..=16).contains(&axis) { Ok(usize::from(axis - 1)) } else { Err(Refused::NoSuchAxis) }
-}
-
-/// 64-bit FNV-1a of what is written.
-struct Fnv(u64);
-
-impl Write for Fnv {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
-        }
-        Ok(())
-    }
 }
