@@ -21,10 +21,12 @@ mod host;
 pub mod message;
 mod parts;
 mod silence;
+mod stream;
 mod target;
 mod timing;
 
 pub use frame::{Frame, FrameDecoder, FrameError};
 pub use host::{HostEvent, HostSession, LossReason, Ticket};
+pub use stream::{Freshness, Layout, MechanismSample, Sample, SampleSource, Streams, TraceSample};
 pub use target::{TargetInput, TargetSession};
 pub use timing::Timing;

@@ -34,7 +34,7 @@ proptest! {
     /// Whole frames with any content, in an open session.
     #[test]
     fn any_frames_are_survived(
-        frames in prop::collection::vec((0_u8..6, any::<bool>(), any::<u8>(), prop::collection::vec(any::<u8>(), 0..40)), 0..60),
+        frames in prop::collection::vec((0_u8..7, any::<bool>(), any::<u8>(), prop::collection::vec(any::<u8>(), 0..40)), 0..60),
     ) {
         let mut host = HostSession::new(0);
         let mut target = TargetSession::new(LIMITS);
@@ -195,6 +195,6 @@ fn the_last_four_answers_are_given_again_and_older_requests_are_ignored() {
 
 #[test]
 fn the_number_of_known_requests_is_up_to_date() {
-    let last = Request::Goodbye { stop: false };
+    let last = Request::Unsubscribe { id: 0 };
     assert_eq!(u32::from(postcard::to_allocvec(&last).unwrap()[0]), KNOWN_REQUESTS - 1);
 }
