@@ -11,7 +11,7 @@ use technol_image::op::{BitRef, Cond, Logic, Op};
 use crate::memory::Window;
 
 /// Bits that a table is indexed by.
-const INPUTS: usize = 6;
+pub(crate) const INPUTS: usize = 6;
 /// Brackets within a table.
 pub(crate) const MAX_NESTING: u8 = 2;
 
@@ -29,14 +29,20 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// RLO, which it also writes.
+    /// The bits of its inputs, the first one lowest.
     #[inline]
-    pub(crate) fn evaluate(&self, memory: &mut Window, rlo: bool) -> bool {
+    pub(crate) fn gather(&self, memory: &Window) -> u8 {
         let mut index = 0;
         for (n, (place, rotation)) in self.places.iter().zip(&self.rotations).enumerate() {
             index |= memory[usize::from(*place)].rotate_left(u32::from(*rotation)) & 1 << n;
         }
-        let rlo = self.results[usize::from(rlo)] >> (index & 63) & 1 != 0;
+        index
+    }
+
+    /// RLO for these bits, which it also writes.
+    #[inline]
+    pub(crate) fn evaluate(&self, memory: &mut Window, bits: u8, rlo: bool) -> bool {
+        let rlo = self.results[usize::from(rlo)] >> (bits & 63) & 1 != 0;
         self.write.execute(memory, rlo);
         rlo
     }

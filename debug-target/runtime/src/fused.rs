@@ -102,7 +102,7 @@ impl Operand {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     kind: Kind,
-    operations: u8,
+    pub(crate) operations: u8,
     /// Index of the table, or of the data.
     at: u32,
 }
@@ -401,18 +401,47 @@ fn write(memory: &mut Window, at: u16, mask: u32, value: u32) {
     memory[at..at + READ].copy_from_slice(&new.to_le_bytes());
 }
 
+/// Who sees what terms work with.
+pub(crate) trait Witness {
+    /// A term is about to act. `bits`: those of its equation; `dr`: behind its LOD.
+    fn term(&mut self, rlo: bool, bits: u8, dr: i64, operand: i64, regs: &Registers);
+}
+
+/// Nobody.
+pub(crate) struct Unseen;
+
+impl Witness for Unseen {
+    #[inline(always)]
+    fn term(&mut self, _: bool, _: u8, _: i64, _: i64, _: &Registers) {}
+}
+
 /// Executes a stretch of the terms of `code`.
 #[inline(never)]
-pub(crate) fn execute(terms: &[Term], code: &Code, memory: &mut Window, regs: &mut Registers) {
+pub(crate) fn execute<W: Witness>(
+    terms: &[Term],
+    code: &Code,
+    memory: &mut Window,
+    regs: &mut Registers,
+    mut witness: W,
+) {
     let (mut rlo, mut dr) = (regs.rlo, regs.dr);
     for term in terms {
         match term.kind {
-            Kind::Bits => rlo = code.tables[term.at as usize].evaluate(memory, rlo),
+            Kind::Bits => {
+                let table = &code.tables[term.at as usize];
+                let bits = table.gather(memory);
+                witness.term(rlo, bits, dr, 0, regs);
+                rlo = table.evaluate(memory, bits, rlo);
+            }
             Kind::Push => {
+                witness.term(rlo, 0, dr, 0, regs);
                 regs.stack = regs.stack << 1 | u8::from(rlo);
                 regs.depth += 1;
             }
-            kind => (rlo, dr) = code.data[term.at as usize].execute(kind, memory, regs, rlo, dr),
+            kind => {
+                let data = &code.data[term.at as usize];
+                (rlo, dr) = data.execute(kind, memory, regs, rlo, dr, &mut witness);
+            }
         }
     }
     regs.rlo = rlo;
@@ -434,6 +463,7 @@ impl Data {
         regs: &mut Registers,
         mut rlo: bool,
         mut dr: i64,
+        witness: &mut impl Witness,
     ) -> (bool, i64) {
         let (select, operand, shift) = (self.select, &self.operand, self.operand.shift);
         let chosen =
@@ -444,6 +474,7 @@ impl Data {
             Kind::Calculate => {
                 dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let x = operand.get(memory);
+                witness.term(rlo, 0, dr, x, regs);
                 let negative = if_selected(select::NEGATIVE);
                 let sum = dr.wrapping_add((x ^ negative).wrapping_sub(negative)) & if_selected(select::SUM);
                 let bits = dr & x & if_selected(select::AND) ^ (dr ^ x) & if_selected(select::XOR);
@@ -456,17 +487,23 @@ impl Data {
             Kind::Compare => {
                 dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let (a, b) = (signed(dr as u32, shift), operand.get(memory));
+                witness.term(rlo, 0, dr, b, regs);
                 let place = u8::from(a >= b) + u8::from(a > b);
                 // Without branches.
                 rlo = select >> place & (u8::from(rlo) | !select >> 7) & 1 != 0;
                 self.write.execute(memory, rlo);
             }
             Kind::Move => {
+                witness.term(rlo, 0, dr, 0, regs);
                 let value = read(memory, operand.at);
                 write(memory, self.to, chosen(rlo), value);
             }
-            Kind::Write => self.write.execute(memory, rlo),
+            Kind::Write => {
+                witness.term(rlo, 0, dr, 0, regs);
+                self.write.execute(memory, rlo);
+            }
             Kind::Pop => {
+                witness.term(rlo, 0, dr, 0, regs);
                 let value = regs.stack & 1;
                 regs.stack >>= 1;
                 regs.depth -= 1;
