@@ -34,6 +34,6 @@ pub use listen::{ListenError, Notice, listen_tcp, serve_listener, serve_serial};
 pub use machine_file::{MachineFileError, load_machine, parse_machine};
 pub use pipe::{MemoryLink, pair};
 pub use serial::SerialLink;
-pub use serve::{ServeEnd, serve};
+pub use serve::{ServeEnd, TargetEnd, serve};
 pub use simulation::{Simulation, SimulationError};
 pub use tcp::TcpLink;

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use technol_wire::message::Limits;
-use technol_wire::{TargetInput, TargetSession};
+use technol_wire::{TargetInput, TargetSession, Timing};
 
 use crate::core::TargetCore;
 use crate::link::Link;
@@ -29,65 +29,72 @@ pub enum ServeEnd {
 /// Serves a host over a link until the link is gone or `shutdown` is set. The core keeps its program and its state
 /// for the next link; a program that the debugger held runs on.
 pub fn serve(mut link: Box<dyn Link>, core: &mut TargetCore, shutdown: &AtomicBool) -> ServeEnd {
-    let end = Service::new(link.as_ref()).run(link.as_mut(), core, shutdown);
+    let mut end = TargetEnd::new(link.limits(), link.timing(), link.bytes_per_second());
+    let why = run(&mut end, link.as_mut(), core, shutdown);
     core.host_lost();
-    end
+    why
 }
 
-/// One link being served.
-struct Service {
+fn run(end: &mut TargetEnd, link: &mut dyn Link, core: &mut TargetCore, shutdown: &AtomicBool) -> ServeEnd {
+    let began = Instant::now();
+    let watched = link.timing().silence_us.is_some() && !link.outlives_host();
+    let mut buffer = vec![0; 16 * 1024];
+    while !shutdown.load(Ordering::Relaxed) {
+        let due = core.advance(Instant::now(), end.is_crowded());
+        let (bytes, wait) = end.turn(Instant::now(), due, core);
+        let sent = if bytes.is_empty() { Ok(()) } else { link.send(&bytes) };
+        match sent.and_then(|()| link.receive(&mut buffer, wait)) {
+            Ok(count) => end.receive(Instant::now(), &buffer[..count], core),
+            Err(error) => return ServeEnd::LinkGone(error),
+        }
+        // Nobody is at the other end of a connection that keeps others from getting in.
+        if watched && (end.host_lost || !end.session.is_open() && began.elapsed() > HELLO_TIMEOUT) {
+            return ServeEnd::LinkGone(io::Error::new(io::ErrorKind::TimedOut, "the debugger is silent"));
+        }
+    }
+    ServeEnd::Shutdown
+}
+
+/// A core's end of a link, without the link: bytes and times go in, bytes come out. [`serve`] drives it with a link
+/// and the clock; a test may drive it with a simulated cable in virtual time.
+pub struct TargetEnd {
     session: TargetSession,
     limits: Limits,
-    began: Instant,
+    began: Option<Instant>,
     /// The host fell silent.
     host_lost: bool,
     allowance: Allowance,
 }
 
-impl Service {
-    fn new(link: &dyn Link) -> Self {
-        let limits = link.limits();
-        Service {
-            session: TargetSession::with_timing(limits, link.timing()),
+impl TargetEnd {
+    /// One end of a new link; `bytes_per_second`: what a slow line carries.
+    #[must_use]
+    pub fn new(limits: Limits, timing: Timing, bytes_per_second: Option<u32>) -> TargetEnd {
+        TargetEnd {
+            session: TargetSession::with_timing(limits, timing),
             limits,
-            began: Instant::now(),
+            began: None,
             host_lost: false,
-            allowance: Allowance::new(link.bytes_per_second()),
+            allowance: Allowance::new(bytes_per_second),
         }
     }
 
-    fn run(&mut self, link: &mut dyn Link, core: &mut TargetCore, shutdown: &AtomicBool) -> ServeEnd {
-        let mut buffer = vec![0; 16 * 1024];
-        while !shutdown.load(Ordering::Relaxed) {
-            let due = core.advance(Instant::now(), self.session.events_waiting() > CROWD);
-            let wait = match self.transfer(link, core, due) {
-                Ok(wait) => wait,
-                Err(error) => return ServeEnd::LinkGone(error),
-            };
-            match link.receive(&mut buffer, wait) {
-                Ok(count) => self.take(&buffer[..count], core),
-                Err(error) => return ServeEnd::LinkGone(error),
-            }
-            if self.is_abandoned(link) {
-                return ServeEnd::LinkGone(io::Error::new(io::ErrorKind::TimedOut, "the debugger is silent"));
-            }
-        }
-        ServeEnd::Shutdown
+    /// More events wait than the link carries: virtual time should wait for them.
+    #[must_use]
+    pub fn is_crowded(&self) -> bool {
+        self.session.events_waiting() > CROWD
     }
 
-    /// Nobody is at the other end of a connection that keeps others from getting in.
-    fn is_abandoned(&self, link: &dyn Link) -> bool {
-        let watched = link.timing().silence_us.is_some() && !link.outlives_host();
-        watched && (self.host_lost || !self.session.is_open() && self.began.elapsed() > HELLO_TIMEOUT)
-    }
-
-    fn now(&self) -> u64 {
-        self.began.elapsed().as_micros() as u64
+    /// Microseconds since the first use, which is what the protocol counts in.
+    fn micros(&mut self, now: Instant) -> u64 {
+        let began = *self.began.get_or_insert(now);
+        now.saturating_duration_since(began).as_micros() as u64
     }
 
     /// Bytes came: acts on what they say and answers at once.
-    fn take(&mut self, bytes: &[u8], core: &mut TargetCore) {
-        self.session.receive(self.now(), bytes);
+    pub fn receive(&mut self, now: Instant, bytes: &[u8], core: &mut TargetCore) {
+        let micros = self.micros(now);
+        self.session.receive(micros, bytes);
         self.act(core);
     }
 
@@ -107,36 +114,26 @@ impl Service {
         }
     }
 
-    /// Sends what is to be sent; answers how long to wait for bytes.
-    fn transfer(
-        &mut self,
-        link: &mut dyn Link,
-        core: &mut TargetCore,
-        due: Option<Instant>,
-    ) -> io::Result<Duration> {
-        let now = self.now();
-        let timer = self.session.poll(now);
+    /// The bytes to send now, and how long to wait for others at most. `due`: when the core has to do something
+    /// again, as [`TargetCore::advance`] said.
+    pub fn turn(&mut self, now: Instant, due: Option<Instant>, core: &mut TargetCore) -> (Vec<u8>, Duration) {
+        let micros = self.micros(now);
+        let timer = self.session.poll(micros);
         self.act(core);
         for event in core.take_events() {
             self.session.event(&event);
         }
-        let budget = self.allowance.budget(Instant::now());
-        let mut wait = LONGEST_WAIT;
-        if budget > 0 {
-            let bytes = self.session.transmit_within(budget);
-            if !bytes.is_empty() {
-                link.send(&bytes)?;
-                self.allowance.spend(bytes.len());
-            }
-        }
-        wait = wait.min(self.allowance.recovery());
+        let budget = self.allowance.budget(now);
+        let bytes = if budget > 0 { self.session.transmit_within(budget) } else { Vec::new() };
+        self.allowance.spend(bytes.len());
+        let mut wait = LONGEST_WAIT.min(self.allowance.recovery());
         if let Some(timer) = timer {
-            wait = wait.min(Duration::from_micros(timer.saturating_sub(now)));
+            wait = wait.min(Duration::from_micros(timer.saturating_sub(micros)));
         }
         if let Some(due) = due {
-            wait = wait.min(due.saturating_duration_since(Instant::now()));
+            wait = wait.min(due.saturating_duration_since(now));
         }
-        Ok(wait)
+        (bytes, wait)
     }
 }
 
@@ -146,7 +143,8 @@ struct Allowance {
     per_second: Option<u32>,
     /// Bytes; negative after a frame that went beyond.
     credit: f64,
-    at: Instant,
+    /// When that was so.
+    at: Option<Instant>,
 }
 
 /// Bytes that may be under way at once.
@@ -154,13 +152,14 @@ const BURST: f64 = 512.0;
 
 impl Allowance {
     fn new(per_second: Option<u32>) -> Self {
-        Allowance { per_second, credit: BURST, at: Instant::now() }
+        Allowance { per_second, credit: BURST, at: None }
     }
 
     fn budget(&mut self, now: Instant) -> usize {
         let Some(rate) = self.per_second else { return usize::MAX };
-        let earned = now.saturating_duration_since(self.at).as_secs_f64() * f64::from(rate);
-        self.at = now;
+        let passed = now.saturating_duration_since(self.at.unwrap_or(now));
+        let earned = passed.as_secs_f64() * f64::from(rate);
+        self.at = Some(now);
         self.credit = (self.credit + earned).min(BURST);
         self.credit.max(0.0) as usize
     }
@@ -187,7 +186,7 @@ mod tests {
     #[test]
     fn a_slow_line_is_given_what_it_can_carry() {
         let mut allowance = Allowance::new(Some(10_000));
-        let start = allowance.at;
+        let start = Instant::now();
         assert_eq!(allowance.budget(start), 512);
         allowance.spend(712);
         assert_eq!(allowance.budget(start + Duration::from_millis(10)), 0);

@@ -9,6 +9,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("technol-image", &[]),
     ("technol-wire", &[]),
+    ("technol-link-model", &[]),
     ("technol-runtime", &["technol-image"]),
     ("technol-machine", &["technol-image", "technol-runtime"]),
     ("technol-analysis", &["technol-image"]),

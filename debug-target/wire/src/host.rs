@@ -53,6 +53,8 @@ pub enum LossReason {
     Silent,
     /// The target is there but a request, or the download, stayed without answer however often it was repeated.
     NoAnswer,
+    /// The target has ended the session: it heard nothing of this end for too long, or was started anew.
+    Forgotten,
 }
 
 impl fmt::Display for LossReason {
@@ -63,6 +65,9 @@ impl fmt::Display for LossReason {
             }
             LossReason::NoAnswer => {
                 "the target is there but does not answer requests; the line damages too much, or the target is of another make"
+            }
+            LossReason::Forgotten => {
+                "the target has ended the session; it was started anew, or heard nothing from here for a second"
             }
         })
     }
@@ -269,6 +274,10 @@ impl HostSession {
                 Response::Failed(_) => {}
                 _ => return, // left over from another session
             }
+        }
+        if !in_flight.is_hello && response == Response::Failed(Failure::NoSession) {
+            self.lose(LossReason::Forgotten);
+            return;
         }
         let Some(done) = self.in_flight.take() else { return };
         if done.is_download {

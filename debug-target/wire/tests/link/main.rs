@@ -1,25 +1,54 @@
 //! Both ends of the protocol on a cable in virtual time.
 
+mod million;
 mod model;
 
-use model::{Faults, Random, World};
+use model::World;
+use technol_link_model::{Faults, Random};
 use technol_wire::message::{Event, Failure, Request, Response};
 use technol_wire::{HostEvent, HostSession, LossReason};
 
 const SECOND: u64 = 1_000_000;
 
-const CABLES: [(&str, Faults); 6] = [
-    ("clean", Faults { lost: 0, doubled: 0, reordered: 0, bit_error: 0, byte_lost: 0 }),
-    ("losing", Faults { lost: 12, doubled: 0, reordered: 0, bit_error: 0, byte_lost: 0 }),
-    ("doubling", Faults { lost: 0, doubled: 40, reordered: 0, bit_error: 0, byte_lost: 0 }),
-    ("reordering", Faults { lost: 0, doubled: 0, reordered: 40, bit_error: 0, byte_lost: 0 }),
-    ("noisy", Faults { lost: 0, doubled: 0, reordered: 0, bit_error: 5, byte_lost: 2 }),
-    ("all at once", Faults { lost: 5, doubled: 10, reordered: 10, bit_error: 2, byte_lost: 1 }),
+/// Names and what goes wrong there; about one frame in ten suffers.
+const CABLES: [(&str, Faults); 9] = [
+    ("clean", CLEAN),
+    ("losing", Faults { frame_lost: 0.12, ..CLEAN }),
+    ("doubling", Faults { frame_doubled: 0.4, ..CLEAN }),
+    ("reordering", Faults { frame_late: 0.4, ..CLEAN }),
+    ("noisy", Faults { bit_error: 1e-4, lost: 2e-4, ..CLEAN }),
+    ("inserting", Faults { inserted: 1e-3, ..CLEAN }),
+    ("repeating", Faults { repeated: 1e-3, ..CLEAN }),
+    ("bursting", Faults { burst: 5e-4, burst_len: 20, ..CLEAN }),
+    ("all at once", ALL),
 ];
 
+const CLEAN: Faults = Faults {
+    bit_error: 0.0,
+    lost: 0.0,
+    inserted: 0.0,
+    repeated: 0.0,
+    burst: 0.0,
+    burst_len: 0,
+    frame_lost: 0.0,
+    frame_doubled: 0.0,
+    frame_late: 0.0,
+};
+
+const ALL: Faults = Faults {
+    bit_error: 3e-5,
+    lost: 1e-4,
+    inserted: 1e-4,
+    repeated: 1e-4,
+    burst: 1e-4,
+    burst_len: 12,
+    frame_lost: 0.05,
+    frame_doubled: 0.1,
+    frame_late: 0.1,
+};
+
 fn bytes(len: usize, seed: u64) -> Vec<u8> {
-    let mut random = Random::new(seed);
-    (0..len).map(|_| random.next() as u8).collect()
+    Random::new(seed).bytes(len)
 }
 
 #[test]
@@ -146,8 +175,7 @@ fn a_cut_cable_is_noticed_within_a_second_at_both_ends() {
     world.connect();
     world.run(3 * SECOND, |_| false);
     assert!(!world.host.is_lost(), "an idle link is no dead link");
-    world.to_host.cut = true;
-    world.to_target.cut = true;
+    world.cable.set_cut(true);
     world.run(4 * SECOND, |_| false);
     let lost = world.seen.iter().find(|(_, e)| *e == HostEvent::LinkLost(LossReason::Silent));
     assert!(lost.is_some_and(|(at, _)| *at <= 4 * SECOND), "{:?}", world.seen);
@@ -170,7 +198,7 @@ fn a_target_that_is_not_there_is_noticed_within_a_second() {
 #[test]
 fn a_noisy_idle_cable_is_not_taken_for_dead() {
     for session in 0..10 {
-        let mut world = World::new(session, Faults { lost: 20, ..Faults::default() });
+        let mut world = World::new(session, Faults { frame_lost: 0.2, ..CLEAN });
         world.connect();
         world.run(30 * SECOND, |_| false);
         assert!(!world.host.is_lost(), "session {session}");
@@ -182,9 +210,10 @@ fn a_noisy_idle_cable_is_not_taken_for_dead() {
 fn an_idle_link_costs_less_than_two_percent_of_the_cable() {
     let mut world = World::new(1, Faults::default());
     world.connect();
-    let before = (world.to_target.bytes, world.to_host.bytes);
+    let before = (world.cable.to_target.bytes, world.cable.to_host.bytes);
     world.run(world.now + 10 * SECOND, |_| false);
-    let per_second = ((world.to_target.bytes - before.0) / 10, (world.to_host.bytes - before.1) / 10);
+    let per_second =
+        ((world.cable.to_target.bytes - before.0) / 10, (world.cable.to_host.bytes - before.1) / 10);
     assert!(per_second.0 < 230 && per_second.1 < 230, "{per_second:?}");
 }
 
@@ -219,7 +248,7 @@ fn a_refused_download_is_not_sent() {
     world.host.download(vec![1; len as usize]);
     world.run(world.now + SECOND, |_| false);
     assert_eq!(world.response(ticket), Some(&Response::Failed(Failure::TooLarge)));
-    assert!(world.to_target.bytes < 1000, "{}", world.to_target.bytes);
+    assert!(world.cable.to_target.bytes < 1000, "{}", world.cable.to_target.bytes);
     assert!(!world.seen.iter().any(|(_, e)| matches!(e, HostEvent::DownloadDone)));
 }
 

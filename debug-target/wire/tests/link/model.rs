@@ -1,12 +1,10 @@
-//! A cable in virtual time, and two ends on it.
+//! Two ends on a cable in virtual time.
 
 use std::collections::VecDeque;
 
+use technol_link_model::{Cable, Faults, LineOptions};
 use technol_wire::message::{Failure, Limits, PlcState, Request, Response, Status};
 use technol_wire::{HostEvent, HostSession, TargetInput, TargetSession, Ticket};
-
-/// Time of one byte at 115200 baud, in tenths of a microsecond.
-const BYTE_TENTHS_US: u64 = 868;
 
 /// A longer download is refused.
 pub(crate) const MOST_DOWNLOAD: u32 = 100_000;
@@ -17,90 +15,6 @@ pub(crate) fn limits() -> Limits {
 
 pub(crate) fn status() -> Status {
     Status { plc: PlcState::Empty, held: false, cycle: 0, program: None }
-}
-
-/// Small generator of repeatable randomness (xorshift64*).
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
-
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
-    }
-
-    pub(crate) fn percent(&mut self, chance: u32) -> bool {
-        self.next() % 100 < u64::from(chance)
-    }
-}
-
-/// What the cable does to frames, in percent.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Faults {
-    pub(crate) lost: u32,
-    pub(crate) doubled: u32,
-    pub(crate) reordered: u32,
-    pub(crate) bit_error: u32,
-    pub(crate) byte_lost: u32,
-}
-
-/// One direction.
-pub(crate) struct Line {
-    faults: Faults,
-    random: Random,
-    free_at_tenths: u64,
-    /// Arrival time in microseconds and bytes.
-    travelling: Vec<(u64, Vec<u8>)>,
-    pub(crate) cut: bool,
-    pub(crate) bytes: usize,
-}
-
-impl Line {
-    fn new(faults: Faults, seed: u64) -> Self {
-        let random = Random::new(seed);
-        Line { faults, random, free_at_tenths: 0, travelling: Vec::new(), cut: false, bytes: 0 }
-    }
-
-    fn send(&mut self, now: u64, bytes: &[u8]) {
-        self.bytes += bytes.len();
-        for frame in bytes.split_inclusive(|b| *b == 0) {
-            self.free_at_tenths = self.free_at_tenths.max(now * 10) + frame.len() as u64 * BYTE_TENTHS_US;
-            if self.cut || self.random.percent(self.faults.lost) {
-                continue;
-            }
-            let mut frame = frame.to_vec();
-            let at = self.random.next() as usize % frame.len();
-            if self.random.percent(self.faults.bit_error) {
-                frame[at] ^= 1 << (self.random.next() % 8);
-            }
-            if self.random.percent(self.faults.byte_lost) {
-                frame.remove(at);
-            }
-            let mut arrival = self.free_at_tenths / 10;
-            if self.random.percent(self.faults.doubled) {
-                self.travelling.push((arrival + self.random.next() % 60_000, frame.clone()));
-            }
-            if self.random.percent(self.faults.reordered) {
-                arrival += self.random.next() % 60_000;
-            }
-            self.travelling.push((arrival, frame));
-        }
-        self.travelling.sort_by_key(|t| t.0);
-    }
-
-    fn arrived(&mut self, now: u64) -> Vec<u8> {
-        let count = self.travelling.partition_point(|t| t.0 <= now);
-        self.travelling.drain(..count).flat_map(|t| t.1).collect()
-    }
-
-    fn next_arrival(&self) -> u64 {
-        self.travelling.first().map_or(u64::MAX, |t| t.0)
-    }
 }
 
 /// What the target's application did.
@@ -115,20 +29,22 @@ pub(crate) struct World {
     pub(crate) now: u64,
     pub(crate) host: HostSession,
     pub(crate) target: TargetSession,
-    pub(crate) to_target: Line,
-    pub(crate) to_host: Line,
+    pub(crate) cable: Cable,
     pub(crate) application: Application,
     pub(crate) seen: VecDeque<(u64, HostEvent)>,
 }
 
 impl World {
     pub(crate) fn new(session: u32, faults: Faults) -> Self {
+        Self::on(session, LineOptions { faults, ..LineOptions::default() })
+    }
+
+    pub(crate) fn on(session: u32, line: LineOptions) -> Self {
         World {
             now: 0,
             host: HostSession::new(session),
             target: TargetSession::new(limits()),
-            to_target: Line::new(faults, u64::from(session) * 2 + 1),
-            to_host: Line::new(faults, u64::from(session) * 2 + 2),
+            cable: Cable::new(line, u64::from(session)),
             application: Application::default(),
             seen: VecDeque::new(),
         }
@@ -137,20 +53,20 @@ impl World {
     /// Runs both ends until `done` or `until` (virtual microseconds); tells whether it was `done`.
     pub(crate) fn run(&mut self, until: u64, mut done: impl FnMut(&World) -> bool) -> bool {
         loop {
-            let bytes = self.to_host.arrived(self.now);
+            let bytes = self.cable.to_host.arrived(self.now);
             self.host.receive(self.now, &bytes);
             let host_next = self.host.poll(self.now).unwrap_or(u64::MAX);
             let bytes = self.host.transmit();
-            self.to_target.send(self.now, &bytes);
+            self.cable.to_target.send(self.now, &bytes);
 
-            let bytes = self.to_target.arrived(self.now);
+            let bytes = self.cable.to_target.arrived(self.now);
             self.target.receive(self.now, &bytes);
             let target_next = self.target.poll(self.now).unwrap_or(u64::MAX);
             while let Some(input) = self.target.next() {
                 self.act(input);
             }
             let bytes = self.target.transmit();
-            self.to_host.send(self.now, &bytes);
+            self.cable.to_host.send(self.now, &bytes);
 
             while let Some(event) = self.host.next() {
                 self.seen.push_back((self.now, event));
@@ -160,8 +76,7 @@ impl World {
             }
             let next = host_next
                 .min(target_next)
-                .min(self.to_host.next_arrival())
-                .min(self.to_target.next_arrival())
+                .min(self.cable.next_arrival().unwrap_or(u64::MAX))
                 .max(self.now + 1);
             if next > until {
                 self.now = until;
