@@ -46,6 +46,8 @@ impl TargetCore {
             Request::SetFault { name, on } => self.switch(|plant| plant.set_fault(&name, on)),
             Request::Press { key, down } => self.switch(|plant| plant.press(&key, down)),
             Request::Goodbye { stop } => Ok(self.goodbye(stop)),
+            // Streams belong to the end of a link, which does not ask here.
+            Request::Subscribe(_) | Request::Unsubscribe { .. } => Err(Failure::Unsupported),
         };
         answer.unwrap_or_else(Response::Failed)
     }

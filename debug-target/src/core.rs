@@ -7,11 +7,13 @@ use technol_image::container::{content_hash, hash_bytes};
 use technol_image::{ContentHash, Program};
 use technol_machine::{ControlData, MachineConfig};
 use technol_runtime::{Command, RateKind, Resume, RuntimeEvent, StopReason};
+use technol_wire::Streams;
 use technol_wire::message::{Chunk, Event, PlcState, Status};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
 use crate::keep::Keep;
+use crate::sampling::Sampling;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Wall time that virtual cycles may take before the link is looked at again.
@@ -75,6 +77,7 @@ pub struct TargetCore {
     /// The host was told that the program is held.
     held: bool,
     pub(crate) pacer: Pacer,
+    sampling: Sampling,
     occurred: Vec<RuntimeEvent>,
     pub(crate) events: Vec<Event>,
 }
@@ -100,6 +103,7 @@ impl TargetCore {
             session: None,
             held: false,
             pacer: Pacer::new(),
+            sampling: Sampling::default(),
             occurred: Vec::new(),
             events: Vec::new(),
         };
@@ -124,6 +128,7 @@ impl TargetCore {
         simulation.set_data(self.data.clone());
         self.simulation = Some(simulation);
         self.program = Some(hash);
+        self.sampling.restart();
         self.held = false;
         Ok(())
     }
@@ -225,17 +230,30 @@ impl TargetCore {
     /// Lets time pass up to `now`. Answers when there is something to do again: `None` when only a request can
     /// change anything. `crowded`: more events wait than the link can carry; virtual time then stands still.
     pub fn advance(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+        self.advance_watched(now, crowded, None)
+    }
+
+    /// The same, for a host whose streams are sampled.
+    pub fn advance_watched(
+        &mut self,
+        now: Instant,
+        crowded: bool,
+        mut streams: Option<&mut Streams>,
+    ) -> Option<Instant> {
+        if let Some(streams) = &mut streams {
+            streams.set_uneven(self.clock == Clock::Virtual);
+        }
         let running = self
             .simulation
             .as_ref()
             .is_some_and(|s| s.runtime().state().is_cycling() && s.runtime().stopped().is_none());
         if self.clock == Clock::Virtual && running {
-            return self.advance_virtual(now, crowded);
+            return self.advance_virtual(now, crowded, streams);
         }
         self.simulation.as_ref()?;
         if self.pacer.is_due(now) {
             let began = Instant::now();
-            self.run_cycle();
+            self.run_cycle(streams);
             let took = if self.clock == Clock::Told { Duration::ZERO } else { began.elapsed() };
             let behind = self.pacer.done(now, now + took);
             if behind && running && self.clock == Clock::Real {
@@ -246,10 +264,15 @@ impl TargetCore {
         Some(self.pacer.next(now))
     }
 
-    fn advance_virtual(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+    fn advance_virtual(
+        &mut self,
+        now: Instant,
+        crowded: bool,
+        mut streams: Option<&mut Streams>,
+    ) -> Option<Instant> {
         self.session?;
         while !crowded && self.events.is_empty() && now.elapsed() < VIRTUAL_SLICE {
-            self.run_cycle();
+            self.run_cycle(streams.as_deref_mut());
             if self.held || !self.status().plc.is_cycling() {
                 break;
             }
@@ -258,15 +281,22 @@ impl TargetCore {
     }
 
     /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
-    fn run_cycle(&mut self) {
+    fn run_cycle(&mut self, mut streams: Option<&mut Streams>) {
         let Some(simulation) = &mut self.simulation else { return };
+        self.sampling.follow(streams.as_deref(), simulation);
         if simulation.runtime().stopped().is_some() {
             for _ in 0..CYCLE.as_millis() {
                 simulation.tick(&mut self.occurred);
             }
         } else {
-            simulation.cycle(&mut self.occurred);
+            match streams.as_deref_mut().filter(|s| s.folds()) {
+                Some(streams) => {
+                    simulation.cycle_observed(&mut self.occurred, |memory| streams.observe(memory))
+                }
+                None => simulation.cycle(&mut self.occurred),
+            };
         }
+        self.sampling.sample(streams, simulation);
         self.keep_files();
         self.report();
     }

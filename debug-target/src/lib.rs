@@ -19,6 +19,7 @@ mod listen;
 mod machine_file;
 mod part_program;
 mod pipe;
+mod sampling;
 mod serial;
 mod serve;
 mod simulation;

@@ -149,6 +149,8 @@ pub struct Streams {
     payload: Vec<u8>,
     /// The stream whose turn it is.
     turn: u8,
+    /// Counts changes of what is subscribed.
+    generation: u32,
 }
 
 impl Streams {
@@ -185,6 +187,7 @@ impl Streams {
             Subject::Trace { pcs, .. } => Sampler::Trace(pcs.clone()),
         };
         self.payload.reserve(layout.longest());
+        self.generation = self.generation.wrapping_add(1);
         self.streams[usize::from(subscription.id)] = Some(Stream {
             id: subscription.id,
             period: subscription.period.into(),
@@ -204,14 +207,27 @@ impl Streams {
 
     /// Ends a stream.
     pub fn unsubscribe(&mut self, id: u8) {
-        if let Some(stream) = self.streams.get_mut(usize::from(id)) {
-            *stream = None;
+        if self.streams.get_mut(usize::from(id)).and_then(Option::take).is_some() {
+            self.generation = self.generation.wrapping_add(1);
         }
     }
 
     /// Ends all streams: the session or the program is over.
     pub fn clear(&mut self) {
         self.streams = Default::default();
+        self.generation = self.generation.wrapping_add(1);
+    }
+
+    /// Nothing is subscribed.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.streams.iter().all(Option::is_none)
+    }
+
+    /// Another number than before when streams have begun or ended since.
+    #[must_use]
+    pub fn generation(&self) -> u32 {
+        self.generation
     }
 
     /// The operations that traced lines begin with.
@@ -273,6 +289,7 @@ impl Streams {
         for place in &mut self.streams {
             if place.as_ref().is_some_and(|s| now >= s.heard + UNHEARD) {
                 *place = None;
+                self.generation = self.generation.wrapping_add(1);
             }
         }
         let ready = self.streams.iter().flatten().filter_map(|s| self.ready_at(s)).min()?;
