@@ -219,3 +219,60 @@ fn put_varint(mut value: u32, out: &mut Vec<u8>) {
     }
     out.push(value as u8);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::decode::{Decoder, Taken};
+    use super::*;
+    use crate::frame::{self, kind};
+    use crate::message::{Item, ItemKind, Mode, Subject, Subscription};
+    use alloc::string::String;
+    use alloc::{format, vec};
+
+    fn layout() -> Layout {
+        let item = |kind| Item { addr: 0, kind, mode: Mode::Value };
+        let items = vec![item(ItemKind::Bit(0)), item(ItemKind::Unsigned(2)), item(ItemKind::Unsigned(4))];
+        Layout::of(&Subscription { id: 5, period: 1, subject: Subject::Variables(items) }).unwrap()
+    }
+
+    /// The examples of PROTOCOL.md, section 8.
+    #[test]
+    fn samples_look_like_this_on_the_line() {
+        let mut encoder = Encoder::new(5, layout(), 0, false);
+        let mut decoder = Decoder::new(5, layout());
+        let mut payload = Vec::new();
+        let mut lines = Vec::new();
+        for (number, values, whole) in [
+            (1000, [1, 300, 70_000], false),
+            (1001, [1, 300, 70_000], false),
+            (1003, [0, 300, 69_990], false),
+            (1004, [0, 0x8000, 0x8000_0000], false),
+            (1030, [0, 0xFFFF, 0xFFFF_FFFF], true),
+        ] {
+            encoder.encode(number, number - 600, &values, whole, &mut payload);
+            let mut bytes = Vec::new();
+            frame::encode(kind::STREAM, number as u8, &payload, &mut bytes);
+            let hex =
+                |bytes: &[u8]| bytes.iter().map(|b| format!("{b:02x}")).collect::<Vec<String>>().join(" ");
+            lines.push(format!("{number}: {}: {}", hex(&payload), hex(&bytes)));
+            let Taken::Sample { sample, .. } = decoder.take(number as u8, &payload) else {
+                panic!("{number}")
+            };
+            assert_eq!(
+                (sample.number, sample.cycle, &sample.values[..]),
+                (number, number - 600, &values[..])
+            );
+            encoder.confirmed(1000);
+        }
+        assert_eq!(
+            lines,
+            [
+                "1000: af e8 07 90 03 c4 b1 08 8b 80: 11 85 e8 af e8 07 90 03 c4 b1 08 8b 80 7b 3e d6 ae 00",
+                "1001: b3 80: 09 85 e9 b3 80 1d c2 2a 81 00",
+                "1003: b3 85 44 4c: 0b 85 eb b3 85 44 4c d1 f7 36 da 00",
+                "1004: a3 40 00 40 00 00 00 00: 05 85 ec a3 40 02 40 01 01 01 05 51 a7 5b 25 00",
+                "1030: ac 86 08 ae 03 02 04: 0e 85 06 ac 86 08 ae 03 02 04 8a 54 82 aa 00",
+            ]
+        );
+    }
+}
