@@ -37,6 +37,10 @@ pub trait ByteLink: Send {
     fn send(&mut self, bytes: &[u8]) -> io::Result<()>;
     /// Receives some bytes; 0 when none came within `timeout`. An error means that the link is gone.
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize>;
+    /// Bytes the line carries in a second, if that bounds what can be watched over it.
+    fn bytes_per_second(&self) -> Option<u32> {
+        None
+    }
 }
 
 /// Opens links.

@@ -17,6 +17,7 @@ mod stack;
 mod target_events;
 #[cfg(test)]
 mod tests;
+mod watching;
 
 use std::collections::{HashSet, VecDeque};
 use std::sync::Arc;
@@ -46,6 +47,7 @@ use crate::tree::Tree;
 use breakpoints::Breakpoints;
 pub(crate) use phase::COMMANDS;
 use phase::Phase;
+use watching::Watching;
 
 /// Longest wait for the target before the client is looked at again.
 const TURN: Duration = Duration::from_millis(4);
@@ -125,6 +127,7 @@ pub(crate) struct Session {
     target: Option<TargetLink>,
     debuggee: Option<Debuggee>,
     breakpoints: Breakpoints,
+    watching: Watching,
     break_on_fault: bool,
     threads_announced: HashSet<i64>,
     timers: Vec<(Instant, Timer)>,
@@ -152,6 +155,7 @@ impl Session {
             target: None,
             debuggee: None,
             breakpoints: Breakpoints::default(),
+            watching: Watching::default(),
             break_on_fault: true,
             threads_announced: HashSet::new(),
             timers: Vec::new(),
@@ -165,6 +169,7 @@ impl Session {
     pub(crate) fn run(mut self) {
         while !self.finished && !self.out.is_gone() {
             self.take_target_events();
+            self.watch();
             self.run_timers();
             match self.next_input() {
                 Some(ClientInput::Incoming(incoming)) => self.take(incoming),

@@ -86,6 +86,8 @@ struct InFlight {
     is_hello: bool,
     is_download: bool,
     subscription: Option<Subscription>,
+    /// Streams end with the program they were about.
+    replaces_program: bool,
 }
 
 impl InFlight {
@@ -287,6 +289,9 @@ impl HostSession {
                 self.bulk = None;
             }
         }
+        if done.replaces_program && response == Response::Done {
+            self.streams.clear();
+        }
         if response == Response::Done
             && let Some(subscription) = done.subscription
         {
@@ -482,6 +487,7 @@ impl HostSession {
                 tries: 0,
                 is_hello: ticket == self.hello(),
                 is_download: matches!(request, Request::Download { .. }),
+                replaces_program: matches!(request, Request::Commit),
                 subscription: if let Request::Subscribe(s) = request { Some(s) } else { None },
             });
             return;
