@@ -7,6 +7,7 @@ import { LanguageClient, type LanguageClientOptions, type ServerOptions } from "
 import { type Binary, findBinary } from "./binary";
 import { ADAPTER_ARGUMENTS, SERVER_ARGUMENTS, TASK_COMMANDS, type TaskDefinition, initializationOptions, taskArguments } from "./commandLine";
 import { complete } from "./debugConfiguration";
+import { registerLiveViews } from "./liveViews";
 
 /** The running language server and the program it came from. */
 let server: { client: LanguageClient; file: string } | undefined;
@@ -23,6 +24,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       if (event.affectsConfiguration("technol.path")) await restartServer();
     }),
   );
+  registerLiveViews(context);
   await startServer();
 }
 

@@ -1,0 +1,82 @@
+// What a running program shows: values and mechanisms, and the registers behind traced lines. Knows no editor.
+
+/** Something watched, as the debug adapter tells it. */
+export interface Watch {
+  expression: string;
+  value?: string;
+  stale?: boolean;
+  error?: string;
+  least?: string;
+  greatest?: string;
+  rises?: number;
+  falls?: number;
+}
+
+export interface Mechanism {
+  name: string;
+  path?: string;
+  line?: number;
+  active?: boolean;
+  value: string;
+  stale: boolean;
+}
+
+/** Body of the event `technol/watch`. */
+export interface WatchEvent {
+  cycle?: number;
+  watches: Watch[];
+  mechanisms?: Mechanism[];
+}
+
+export interface TracedLine {
+  path: string;
+  line: number;
+  ran?: boolean;
+  value?: string;
+  stale?: boolean;
+}
+
+/** Body of the event `technol/trace`. */
+export interface TraceEvent {
+  cycle?: number;
+  lines: TracedLine[];
+}
+
+export const MODES = ["value", "change", "extremes", "edges"] as const;
+export type Mode = (typeof MODES)[number];
+
+/** What the user asked to see. */
+export interface Wish {
+  expression: string;
+  mode: Mode;
+}
+
+/** The text beside an expression. */
+export function watchText(watch: Watch): string {
+  if (watch.error !== undefined) return watch.error;
+  const extremes = watch.least === undefined ? "" : `  ${watch.least} … ${watch.greatest ?? ""}`;
+  const edges = watch.rises === undefined ? "" : `  ↑${watch.rises} ↓${watch.falls ?? 0}`;
+  return `${watch.value ?? "…"}${extremes}${edges}`;
+}
+
+/** The text behind a traced line; a line that did not run in the last cycle shows what it left behind in grey. */
+export function traceText(line: TracedLine): { text: string; faint: boolean } {
+  return { text: line.value === undefined ? "has not run" : line.value, faint: line.ran !== true || line.stale === true };
+}
+
+/** The lines traced after `changed` lines (1-based) of a file were chosen: traced if none of them was, else not. */
+export function toggleLines(traced: readonly TracedLine[], path: string, changed: readonly number[]): TracedLine[] {
+  const isChosen = (it: TracedLine) => it.path === path && changed.includes(it.line);
+  if (traced.some(isChosen)) return traced.filter((it) => !isChosen(it));
+  return [...traced, ...changed.map((line) => ({ path, line }))];
+}
+
+/** The wishes with one more; one that is there already gets the new mode. */
+export function addWish(wishes: readonly Wish[], wish: Wish): Wish[] {
+  const expression = wish.expression.trim();
+  if (expression === "") return [...wishes];
+  const others = wishes.filter((it) => it.expression.toLowerCase() !== expression.toLowerCase());
+  return others.length < wishes.length
+    ? wishes.map((it) => (others.includes(it) ? it : { expression, mode: wish.mode }))
+    : [...wishes, { expression, mode: wish.mode }];
+}

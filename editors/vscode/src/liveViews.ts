@@ -1,0 +1,183 @@
+// The view "Live" of the debug side bar, and the registers behind traced lines in the editor.
+
+import * as vscode from "vscode";
+import { MODES, type Mechanism, type Mode, type TraceEvent, type TracedLine, type Watch, type WatchEvent, type Wish, addWish, toggleLines, traceText, watchText } from "./live";
+
+const WISHES = "technol.live.wishes";
+/** Milliseconds between two values. */
+const PERIOD = 100;
+
+type Row = { kind: "watch"; wish: Wish; watch?: Watch } | { kind: "mechanisms" } | { kind: "mechanism"; mechanism: Mechanism };
+
+const MODE_TEXTS: Record<Mode, string> = {
+  value: "its value",
+  change: "its value, at once when it changes",
+  extremes: "its value, and the least and greatest in between",
+  edges: "its value, and how often it rises and falls",
+};
+
+export function registerLiveViews(context: vscode.ExtensionContext): void {
+  const views = new LiveViews(context);
+  const tree = vscode.window.createTreeView<Row>("technol.live", { treeDataProvider: views });
+  context.subscriptions.push(
+    views,
+    tree,
+    vscode.commands.registerCommand("technol.watchLive", () => views.add()),
+    vscode.commands.registerCommand("technol.unwatchLive", (row?: Row) => views.remove(row)),
+    vscode.commands.registerCommand("technol.traceLines", () => views.toggleTrace()),
+    vscode.commands.registerCommand("technol.stopTrace", () => views.stopTrace()),
+    vscode.debug.onDidStartDebugSession((session) => views.start(session)),
+    vscode.debug.onDidTerminateDebugSession((session) => views.end(session)),
+    vscode.debug.onDidReceiveDebugSessionCustomEvent((event) => views.receive(event)),
+    vscode.window.onDidChangeVisibleTextEditors(() => views.decorate()),
+  );
+}
+
+class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
+  private readonly changed = new vscode.EventEmitter<Row | undefined>();
+  readonly onDidChangeTreeData = this.changed.event;
+  private readonly decoration = vscode.window.createTextEditorDecorationType({ after: { margin: "0 0 0 3em" } });
+  private wishes: Wish[];
+  private told: WatchEvent = { watches: [] };
+  private traced: TracedLine[] = [];
+  private session: vscode.DebugSession | undefined;
+
+  constructor(private readonly context: vscode.ExtensionContext) {
+    this.wishes = context.workspaceState.get<Wish[]>(WISHES, []);
+  }
+
+  dispose(): void {
+    this.changed.dispose();
+    this.decoration.dispose();
+  }
+
+  getChildren(row?: Row): Row[] {
+    if (row?.kind === "mechanisms") return (this.told.mechanisms ?? []).map((mechanism) => ({ kind: "mechanism", mechanism }));
+    if (row !== undefined) return [];
+    const watches: Row[] = this.wishes.map((wish, index) => ({ kind: "watch", wish, watch: this.told.watches[index] }));
+    return this.session === undefined ? watches : [...watches, { kind: "mechanisms" }];
+  }
+
+  getTreeItem(row: Row): vscode.TreeItem {
+    if (row.kind === "mechanisms") return new vscode.TreeItem("Mechanisms", vscode.TreeItemCollapsibleState.Expanded);
+    if (row.kind === "watch") {
+      const item = new vscode.TreeItem(row.wish.expression);
+      item.description = row.watch === undefined ? "" : watchText(row.watch);
+      item.contextValue = "technolWatch";
+      item.tooltip = row.watch?.stale === true ? "The link has lost samples: the value may have changed since." : undefined;
+      return item;
+    }
+    const { name, value, path, line, active } = row.mechanism;
+    const item = new vscode.TreeItem(name);
+    item.description = value;
+    item.iconPath = new vscode.ThemeIcon(active === true ? "play-circle" : "circle-outline");
+    if (path !== undefined && line !== undefined) {
+      const place = new vscode.Position(line - 1, 0);
+      item.command = { command: "vscode.open", title: "Show", arguments: [vscode.Uri.file(path), { selection: new vscode.Range(place, place), preserveFocus: true }] };
+    }
+    return item;
+  }
+
+  /** The word under the cursor, or what the user types. */
+  async add(): Promise<void> {
+    const editor = vscode.window.activeTextEditor;
+    const word = editor?.document.getWordRangeAtPosition(editor.selection.active);
+    const suggested = editor !== undefined && word !== undefined ? editor.document.getText(word) : "";
+    const expression = await vscode.window.showInputBox({ prompt: "Bit, variable or mechanism to watch while the program runs", value: suggested });
+    if (expression === undefined || expression.trim() === "") return;
+    const mode = await vscode.window.showQuickPick(MODES.map((mode) => ({ label: MODE_TEXTS[mode], mode })), { placeHolder: "What to show" });
+    if (mode !== undefined) await this.wish(addWish(this.wishes, { expression, mode: mode.mode }));
+  }
+
+  async remove(row?: Row): Promise<void> {
+    if (row?.kind === "watch") await this.wish(this.wishes.filter((it) => it.expression !== row.wish.expression));
+  }
+
+  private async wish(wishes: Wish[]): Promise<void> {
+    this.wishes = wishes;
+    // What was told is about the list before.
+    this.told = { ...this.told, watches: [] };
+    this.changed.fire(undefined);
+    await this.context.workspaceState.update(WISHES, wishes);
+    await this.subscribe();
+  }
+
+  private async subscribe(): Promise<void> {
+    await this.ask("technol/subscribe", { watches: this.wishes, mechanisms: true, period: PERIOD });
+  }
+
+  async toggleTrace(): Promise<void> {
+    const editor = vscode.window.activeTextEditor;
+    if (editor === undefined || editor.document.languageId !== "technol") return;
+    const lines: number[] = [];
+    for (const selection of editor.selections) {
+      // Few enough for the eye; the adapter says which of them can be traced.
+      for (let line = selection.start.line; line <= selection.end.line; line += 1) lines.push(line + 1);
+    }
+    await this.trace(toggleLines(this.traced, editor.document.uri.fsPath, [...new Set(lines)]));
+  }
+
+  async stopTrace(): Promise<void> {
+    await this.trace([]);
+  }
+
+  private async trace(lines: TracedLine[]): Promise<void> {
+    this.traced = lines;
+    this.decorate();
+    await this.ask("technol/trace", { lines: lines.map(({ path, line }) => ({ path, line })) });
+  }
+
+  private async ask(command: string, body: object): Promise<void> {
+    try {
+      await this.session?.customRequest(command, body);
+    } catch (error) {
+      void vscode.window.showWarningMessage(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  async start(session: vscode.DebugSession): Promise<void> {
+    if (session.type !== "technol") return;
+    this.session = session;
+    this.changed.fire(undefined);
+    await this.subscribe();
+    if (this.traced.length > 0) await this.trace(this.traced);
+  }
+
+  end(session: vscode.DebugSession): void {
+    if (session.id !== this.session?.id) return;
+    this.session = undefined;
+    this.told = { watches: [] };
+    this.traced = this.traced.map(({ path, line }) => ({ path, line }));
+    this.changed.fire(undefined);
+    this.decorate();
+  }
+
+  receive(event: vscode.DebugSessionCustomEvent): void {
+    if (event.session.id !== this.session?.id) return;
+    if (event.event === "technol/watch") {
+      const body = event.body as WatchEvent;
+      // An event that was on its way while the list changed is about the old one.
+      if (body.watches.some((watch, index) => watch.expression !== this.wishes[index]?.expression)) return;
+      this.told = body;
+      this.changed.fire(undefined);
+    } else if (event.event === "technol/trace") {
+      const told = (event.body as TraceEvent).lines;
+      this.traced = this.traced.map((it) => told.find((line) => line.path === it.path && line.line === it.line) ?? it);
+      this.decorate();
+    }
+  }
+
+  decorate(): void {
+    for (const editor of vscode.window.visibleTextEditors) {
+      const lines = this.traced.filter((it) => it.path === editor.document.uri.fsPath && it.line <= editor.document.lineCount);
+      editor.setDecorations(this.decoration, this.session === undefined ? [] : lines.map((line) => decoration(editor, line)));
+    }
+  }
+}
+
+function decoration(editor: vscode.TextEditor, line: TracedLine): vscode.DecorationOptions {
+  const { text, faint } = traceText(line);
+  const colour = new vscode.ThemeColor(faint ? "disabledForeground" : "editorCodeLens.foreground");
+  const end = editor.document.lineAt(line.line - 1).range.end;
+  return { range: new vscode.Range(end, end), renderOptions: { after: { contentText: text, color: colour } } };
+}
