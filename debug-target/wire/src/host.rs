@@ -125,6 +125,8 @@ pub struct HostSession {
     last_ping: Option<u64>,
     ping_due: bool,
     streams: Listener,
+    /// Asked by this end for itself: nobody waits for the answers.
+    own: Vec<Ticket>,
     lost: bool,
 }
 
@@ -165,6 +167,7 @@ impl HostSession {
             last_ping: None,
             ping_due: false,
             streams: Listener::default(),
+            own: Vec::new(),
             lost: false,
         }
     }
@@ -297,6 +300,10 @@ impl HostSession {
         {
             self.streams.open(subscription, self.now);
         }
+        if let Some(at) = self.own.iter().position(|ticket| *ticket == done.ticket) {
+            self.own.swap_remove(at);
+            return;
+        }
         self.out.push_back(HostEvent::Response(done.ticket, response));
     }
 
@@ -378,7 +385,8 @@ impl HostSession {
         }
         // A target that ended a stream by itself is asked for it again; nobody waits for that answer.
         while let Some(subscription) = self.streams.ended(now) {
-            self.request(Request::Subscribe(subscription));
+            let ticket = self.request(Request::Subscribe(subscription));
+            self.own.push(ticket);
         }
     }
 

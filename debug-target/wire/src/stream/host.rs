@@ -38,6 +38,8 @@ struct Heard {
     freshness: Freshness,
     /// When a frame of it came last; at first when it began.
     at: u64,
+    /// When one came that could be read.
+    read: u64,
     /// Number of a sample told in full that the target should know has come.
     confirm: Option<u32>,
     asked: Option<u64>,
@@ -59,7 +61,7 @@ impl Listener {
         let decoder = Decoder::new(subscription.id, layout);
         let (id, freshness) = (subscription.id, Freshness::Waiting);
         self.streams
-            .insert(id, Heard { subscription, decoder, freshness, at: now, confirm: None, asked: None });
+            .insert(id, Heard { subscription, decoder, freshness, at: now, read: now, confirm: None, asked: None });
     }
 
     pub(crate) fn close(&mut self, id: u8) {
@@ -82,6 +84,7 @@ impl Listener {
         match taken {
             Taken::Sample { sample, full } => {
                 stream.at = now;
+                stream.read = now;
                 stream.freshness = Freshness::Current;
                 if full {
                     stream.confirm = Some(sample.number);
@@ -102,7 +105,7 @@ impl Listener {
         let mut late = None;
         self.due |= !self.streams.is_empty() && self.told.is_none_or(|at| now >= at + LISTEN);
         for (id, stream) in &mut self.streams {
-            if now >= stream.at + FORGET {
+            if now >= stream.read + FORGET {
                 stream.decoder.forget();
             }
             if now >= stream.at + QUIET && stream.freshness == Freshness::Current && late.is_none() {

@@ -10,10 +10,12 @@ use crate::message::{Failure, MOST_STREAMS, Subject, Subscription};
 
 /// A stream that nobody has listened to for this long ends, in microseconds.
 const UNHEARD: u64 = 5_000_000;
-/// When nothing changes, a sample says so after this long, in microseconds; then after twice as long, and so on.
+/// When nothing changes, a sample says so after this long, or the period, in microseconds; then after twice as long.
 const FIRST_HEARTBEAT: u64 = 160_000;
 /// Longest time between two samples, in microseconds.
 const LAST_HEARTBEAT: u64 = 1_000_000;
+/// The 20 ms that numbers count, in microseconds.
+const CYCLE: u64 = 20_000;
 /// Least time between two samples where numbers do not pass in real time, in microseconds.
 const UNEVEN_PAUSE: u64 = 10_000;
 /// Bytes that may be saved up for the share of the streams.
@@ -78,19 +80,22 @@ struct Stream {
     /// When a sample was sent last, and how long nothing may be sent after it.
     sent_at: u64,
     patience: u64,
+    /// How long after a change nothing is sent, unless there is another one.
+    first_patience: u64,
     /// When the host last said that it listens.
     heard: u64,
 }
 
 impl Stream {
-    fn sample(&mut self, number: u32, cycle: u32, source: &dyn SampleSource) {
+    fn sample(&mut self, number: u32, cycle: u32, now: u64, source: &dyn SampleSource) {
         let mut due = number.wrapping_sub(self.next) as i32 >= 0;
         if due {
             self.next = number.wrapping_add(self.period);
         } else if let Sampler::Variables(watch) = &self.sampler {
             due = watch.on_change && watch.has_changed(source.memory(), self.encoder.last());
         }
-        if !due {
+        // A heartbeat tells about now, however long the period.
+        if !due && now < self.sent_at + self.patience {
             return;
         }
         self.due = true;
@@ -186,6 +191,8 @@ impl Streams {
             Subject::Mechanisms(sequences) => Sampler::Mechanisms(sequences.clone()),
             Subject::Trace { pcs, .. } => Sampler::Trace(pcs.clone()),
         };
+        let period = u64::from(subscription.period) * CYCLE;
+        let first_patience = period.clamp(FIRST_HEARTBEAT, LAST_HEARTBEAT);
         self.payload.reserve(layout.longest());
         self.generation = self.generation.wrapping_add(1);
         self.streams[usize::from(subscription.id)] = Some(Stream {
@@ -199,7 +206,8 @@ impl Streams {
             next: self.number,
             wanted: false,
             sent_at: self.now,
-            patience: FIRST_HEARTBEAT,
+            patience: first_patience,
+            first_patience,
             heard: self.now,
         });
         Ok(())
@@ -257,7 +265,7 @@ impl Streams {
     pub fn sample(&mut self, number: u32, cycle: u32, source: &dyn SampleSource) {
         self.number = number;
         for stream in self.streams.iter_mut().flatten() {
-            stream.sample(number, cycle, source);
+            stream.sample(number, cycle, self.now, source);
         }
     }
 
@@ -334,7 +342,7 @@ impl Streams {
         stream.wanted = false;
         stream.due = false;
         stream.sent_at = now;
-        stream.patience = if changed { FIRST_HEARTBEAT } else { (stream.patience * 2).min(LAST_HEARTBEAT) };
+        stream.patience = if changed { stream.first_patience } else { (stream.patience * 2).min(LAST_HEARTBEAT) };
         let before = out.len();
         frame::encode(kind::STREAM, number as u8, &self.payload, out);
         self.credit -= (out.len() - before) as i64;

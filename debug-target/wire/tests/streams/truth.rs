@@ -115,6 +115,16 @@ fn a_cut_makes_values_stale_before_they_are_doubted() {
 }
 
 #[test]
+fn a_slow_stream_is_not_taken_for_a_dead_one() {
+    let mut world = World::with(1, 1, &[variables(0, 500, bits_and_double_words(8, 0))]);
+    let samples = world.samples.len();
+    world.run(20 * SECOND, |_| {});
+    assert!(world.samples.len() >= samples + 15, "{} heartbeats", world.samples.len() - samples);
+    assert!(world.stale.is_empty(), "{:?}", world.stale);
+    assert!(world.responses.len() == 2, "Hello and Subscribe: {:?}", world.responses);
+}
+
+#[test]
 fn a_stream_that_nobody_listens_to_ends() {
     let mut world = World::with(1, 1, &[variables(0, 1, bits_and_double_words(8, 0))]);
     world.run(2 * SECOND, |w| w.plant.memory[0] ^= 1);
