@@ -1,6 +1,7 @@
 //! Streams: what they cost on the line, and that they never show what was not.
 
 mod bars;
+mod memory;
 mod truth;
 mod world;
 
