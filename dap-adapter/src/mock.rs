@@ -232,7 +232,7 @@ impl State {
     fn answer(&mut self, request: Request, limits: Limits) -> Response {
         match request {
             Request::Hello { .. } => {
-                Response::Hello { version: self.version, limits, boot: 1, status: self.status }
+                Response::Hello { version: self.version, limits, boot: 1, status: self.status, features: 0 }
             }
             Request::Status => Response::Status(self.status),
             Request::Download { len, .. } => {

@@ -4,7 +4,7 @@ use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use technol_wire::message::Limits;
+use technol_wire::message::{Limits, Request, Response};
 use technol_wire::{TargetInput, TargetSession, Timing};
 
 use crate::core::TargetCore;
@@ -102,8 +102,15 @@ impl TargetEnd {
         while let Some(input) = self.session.next() {
             match input {
                 TargetInput::Request { seq, request } => {
-                    let response = core.answer(request, self.limits);
+                    let announces = matches!(request, Request::Download { .. });
+                    let mut response = core.answer(request, self.limits);
+                    if let Response::Echo { damaged, .. } = &mut response {
+                        *damaged = self.session.damaged_frames();
+                    }
                     self.session.respond(seq, &response);
+                    if announces && response == Response::Done {
+                        self.session.already_arrived(core.arrived());
+                    }
                 }
                 TargetInput::Chunk(chunk) => core.chunk(&chunk),
                 TargetInput::HostLost => {

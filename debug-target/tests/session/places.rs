@@ -72,7 +72,7 @@ impl Tcp {
                     tell.send(address).unwrap();
                 }
             };
-            serve_listener(&listener, &mut core, shutdown, &mut notice).unwrap();
+            serve_listener(&listener, None, &mut core, shutdown, &mut notice).unwrap();
         });
         Tcp { address: told.recv().unwrap(), _target: target }
     }
@@ -99,7 +99,7 @@ pub(crate) mod serial {
     use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
     use nix::unistd::ttyname;
     use std::sync::atomic::{AtomicBool, Ordering};
-    use technol_target::{Address, Link, TargetCore, TargetOptions, connect, serve_serial};
+    use technol_target::{Address, Link, SerialPlace, TargetCore, TargetOptions, connect, serve_serial};
 
     use super::{Place, Running};
 
@@ -144,7 +144,9 @@ pub(crate) mod serial {
             let target = Running::spawn(move |shutdown| {
                 let mut core = TargetCore::new(options).unwrap();
                 let mut notice = |_| tell.send(()).unwrap();
-                serve_serial(&target_name, 115_200, &mut core, shutdown, &mut notice).unwrap();
+                let place = SerialPlace::new(&target_name, 115_200, false);
+                let mut as_it_is = |link| link;
+                serve_serial(place, &mut as_it_is, &mut core, shutdown, &mut notice).unwrap();
             });
             told.recv().unwrap();
             Serial {

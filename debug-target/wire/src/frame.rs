@@ -19,6 +19,8 @@ pub mod kind {
     pub const CHUNK: u8 = 0x03;
     /// Host to target: are you there?
     pub const PING: u8 = 0x04;
+    /// Before a session, host to target: the answer to a challenge, see PROTOCOL.md.
+    pub const PROOF: u8 = 0x06;
     /// Control, target to host: a part of the response to the request with this `seq`.
     pub const RESPONSE: u8 = 0x81;
     /// Event class, target to host: a part of an event.
@@ -29,6 +31,10 @@ pub mod kind {
     pub const PONG: u8 = 0x84;
     /// Stream class (watches, traces), reserved.
     pub const STREAM: u8 = 0x85;
+    /// Before a session, target to host: prove that you know the token.
+    pub const CHALLENGE: u8 = 0x86;
+    /// Before a session, target to host: the host is let in, or (without payload) not.
+    pub const ADMISSION: u8 = 0x87;
 }
 
 /// Ends a frame on the line.

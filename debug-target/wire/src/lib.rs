@@ -20,10 +20,12 @@ pub mod frame;
 mod host;
 pub mod message;
 mod parts;
+mod remote_files;
 mod silence;
 mod target;
 mod timing;
 
+pub use arrived::Arrived;
 pub use frame::{Frame, FrameDecoder, FrameError};
 pub use host::{HostEvent, HostSession, LossReason, Ticket};
 pub use target::{TargetInput, TargetSession};
