@@ -4,7 +4,7 @@ use std::net::TcpListener;
 use std::sync::Arc;
 
 use technol_dap::{FileBuilder, Surroundings};
-use technol_target::Address;
+use technol_target::{Address, Recording};
 
 use crate::arguments::DapArguments;
 use crate::connector::Targets;
@@ -12,13 +12,14 @@ use crate::exit::{self, Failure, Outcome};
 use crate::out::say;
 
 /// What every session of the adapter works with.
-pub(crate) fn surroundings() -> Surroundings {
-    Surroundings { connector: Arc::new(Targets), builder: Arc::new(FileBuilder) }
+pub(crate) fn surroundings(recording: Option<Recording>) -> Surroundings {
+    Surroundings { connector: Arc::new(Targets::new(recording)), builder: Arc::new(FileBuilder) }
 }
 
 /// Serves one editor on stdio, or one after another on TCP.
 pub(crate) fn dap(arguments: &DapArguments) -> Outcome {
-    let surroundings = surroundings();
+    let recording = arguments.record.as_deref().map(Recording::create).transpose();
+    let surroundings = surroundings(recording.map_err(|e| Failure::usage(e.to_string()))?);
     let Some(listen) = &arguments.listen else {
         technol_dap::serve_stdio(&surroundings)
             .map_err(|e| Failure::usage(format!("the editor is gone: {e}")))?;

@@ -111,7 +111,7 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
         &format!("break-point in spindle.plc, line {}", dead_time.line),
     );
     let start = Instant::now();
-    let mut client = Client::in_process(&crate::dap::surroundings())?;
+    let mut client = Client::in_process(&crate::dap::surroundings(None))?;
     let launch = json!({ "program": folder, "target": "embedded", "clock": "virtual" });
     let mark = client.mark();
     client.start(launch, &[(&path, &[dead_time.line])])?;

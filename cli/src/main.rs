@@ -11,8 +11,11 @@ mod exit;
 mod explain;
 mod files;
 mod fmt;
+mod link;
 mod out;
 mod paint;
+mod remote;
+mod remote_files;
 mod run;
 mod target;
 mod test;
@@ -43,6 +46,9 @@ fn main() -> ExitCode {
         Command::Dap(arguments) => dap::dap(&arguments),
         // `--stdio` only names what happens anyway.
         Command::Lsp(LspArguments { stdio: _ }) => Ok(dap::lsp()),
+        Command::Devices(arguments) => link::list_devices(&arguments),
+        Command::Link(arguments) => link::link(&arguments.command),
+        Command::Files(arguments) => remote_files::files(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),
         Command::Explain(arguments) => explain::explain(&arguments),
         Command::Demo(arguments) => demo::demo(&arguments),

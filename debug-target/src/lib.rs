@@ -31,7 +31,7 @@ mod token;
 pub use crate::core::{Clock, TargetCore, TargetOptions};
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use connect::{ConnectError, Connector, connect};
-pub use devices::{Device, devices};
+pub use devices::{Device, Usb, devices};
 pub use embedded::{TargetHandle, spawn_embedded};
 pub use files::{FolderError, RemoteFolder};
 pub use keep::{Keep, TableWriter, replace};

@@ -73,6 +73,7 @@ impl fmt::Display for Notice {
 
 /// Waits for debuggers at a TCP port, one at a time, until `shutdown` is set. A second one waits until the first is
 /// gone. The target keeps its program and state from one to the next. With a token, only who knows it gets in.
+/// `record` may put something around each link.
 ///
 /// # Errors
 /// The port cannot be had, or can be reached from elsewhere and there is no token.
@@ -80,6 +81,7 @@ pub fn listen_tcp(
     host: &str,
     port: u16,
     token: Option<&Token>,
+    record: &mut dyn FnMut(Box<dyn Link>) -> Box<dyn Link>,
     core: &mut TargetCore,
     shutdown: &AtomicBool,
     notice: &mut dyn FnMut(Notice),
@@ -98,13 +100,14 @@ pub fn listen_tcp(
                 .to_owned(),
         ));
     }
-    serve_listener(&listener, token, core, shutdown, notice).map_err(refused)
+    serve_listener(&listener, token, record, core, shutdown, notice).map_err(refused)
 }
 
 /// As [`listen_tcp`], with a listener that is bound already, wherever that is.
 pub fn serve_listener(
     listener: &TcpListener,
     token: Option<&Token>,
+    record: &mut dyn FnMut(Box<dyn Link>) -> Box<dyn Link>,
     core: &mut TargetCore,
     shutdown: &AtomicBool,
     notice: &mut dyn FnMut(Notice),
@@ -131,7 +134,7 @@ pub fn serve_listener(
             Some(Err(refused)) => notice(Notice::Refused(refused)),
             Some(Ok((link, from))) => {
                 notice(Notice::Connected(from));
-                if !serve_one(Box::new(link), core, shutdown, notice) {
+                if !serve_one(record(Box::new(link)), core, shutdown, notice) {
                     return Ok(());
                 }
             }

@@ -11,6 +11,7 @@ mod inspect;
 mod launch;
 mod loading;
 mod phase;
+mod reconnect;
 mod repl;
 mod sources;
 mod stack;
@@ -32,8 +33,8 @@ use technol_image::debug_info::DebugInfo;
 use technol_image::program::Program;
 use technol_wire::message::{Fault, PlcState, SequenceState, Stopped};
 
-use crate::arguments::LaunchArguments;
-use crate::connection::Connector;
+use crate::arguments::{LaunchArguments, LinkArguments};
+use crate::connection::{Connector, TargetSpec};
 use crate::errors::RequestError;
 use crate::outbox::Outbox;
 use crate::project::{Builder, BuiltProject};
@@ -46,6 +47,7 @@ use crate::tree::Tree;
 use breakpoints::Breakpoints;
 pub(crate) use phase::COMMANDS;
 use phase::Phase;
+use reconnect::Again;
 
 /// Longest wait for the target before the client is looked at again.
 const TURN: Duration = Duration::from_millis(4);
@@ -123,6 +125,11 @@ pub(crate) struct Session {
     /// Events that follow the response in progress.
     after: Vec<Event>,
     target: Option<TargetLink>,
+    /// Where the target is, once it was asked for.
+    spec: Option<TargetSpec>,
+    link_arguments: LinkArguments,
+    /// The link is lost and is being tried again.
+    again: Option<Again>,
     debuggee: Option<Debuggee>,
     breakpoints: Breakpoints,
     break_on_fault: bool,
@@ -150,6 +157,9 @@ impl Session {
             client: ClientTraits { first_line: 1, first_column: 1, invalidated: false, progress: false },
             after: Vec::new(),
             target: None,
+            spec: None,
+            link_arguments: LinkArguments::default(),
+            again: None,
             debuggee: None,
             breakpoints: Breakpoints::default(),
             break_on_fault: true,
@@ -165,6 +175,7 @@ impl Session {
     pub(crate) fn run(mut self) {
         while !self.finished && !self.out.is_gone() {
             self.take_target_events();
+            self.try_again();
             self.run_timers();
             match self.next_input() {
                 Some(ClientInput::Incoming(incoming)) => self.take(incoming),
@@ -181,7 +192,8 @@ impl Session {
             return Some(input);
         }
         let Some(target) = &mut self.target else {
-            return match self.inbox.recv_timeout(IDLE) {
+            let wait = if self.again.is_some() { TURN } else { IDLE };
+            return match self.inbox.recv_timeout(wait) {
                 Ok(input) => Some(input),
                 Err(RecvTimeoutError::Timeout) => None,
                 Err(RecvTimeoutError::Disconnected) => Some(ClientInput::Gone),
@@ -287,6 +299,9 @@ impl Session {
 
     /// Link and program; an error when there is none.
     fn parts(&mut self) -> Result<(&mut TargetLink, &mut Debuggee), RequestError> {
+        if self.again.is_some() {
+            return Err(RequestError::LinkLost("it is being tried again".into()));
+        }
         match (&mut self.target, &mut self.debuggee) {
             (Some(target), Some(debuggee)) => Ok((target, debuggee)),
             _ => Err(RequestError::LinkLost("there is no target".into())),

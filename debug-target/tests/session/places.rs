@@ -72,7 +72,7 @@ impl Tcp {
                     tell.send(address).unwrap();
                 }
             };
-            serve_listener(&listener, None, &mut core, shutdown, &mut notice).unwrap();
+            serve_listener(&listener, None, &mut |link| link, &mut core, shutdown, &mut notice).unwrap();
         });
         Tcp { address: told.recv().unwrap(), _target: target }
     }

@@ -119,7 +119,9 @@ fn a_target_that_dies_ends_the_session_within_seconds() {
     for site in [Some(Site::tcp(&lathe)), Site::serial(&lathe)].into_iter().flatten() {
         let mut site = site;
         let mut adapter = Adapter::start();
-        adapter.client.start(site.launch(&lathe), &[]).expect("the program starts");
+        let mut launch = site.launch(&lathe);
+        launch["reconnect"] = json!(1);
+        adapter.client.start(launch, &[]).expect("the program starts");
         let mark = adapter.client.mark();
         let start = Instant::now();
         site.target.as_mut().expect("a process").kill();
