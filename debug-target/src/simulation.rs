@@ -73,10 +73,12 @@ impl Simulation {
             .collect();
         runtime.set_gears(&gears);
         runtime.set_conditional_stop(control.conditional_stop);
+        let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
+        around.prepare(&runtime.program().services);
         Ok(Simulation {
             runtime,
             plant,
-            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
+            control: around,
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,

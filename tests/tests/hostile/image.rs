@@ -4,17 +4,18 @@
 //! An input is readable by eye: the first byte names a real program, or says that the rest is an image file. Then come the
 //! number of changes, six bytes for each, and one byte for everything that a debugger and an operator do while it runs.
 
+#[allow(dead_code)] // the tests of the controller use the rest
+#[path = "../common/families.rs"]
+mod families;
+
 use std::path::Path;
 use std::sync::LazyLock;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use technol_analysis::project::{FileReader, load};
-use technol_analysis::{AnalysisHost, Change};
+use technol_analysis::project::FileReader;
 use technol_image::{Image, Program, container, decode, encode};
-use technol_machine::{
-    CanPacket, Column, ControlData, ElementValue, MachineConfig, Table, Value, ValueKind,
-};
+use technol_machine::{CanPacket, ElementValue, MachineConfig, Value};
 use technol_runtime::{Block, Command, Limits, Resume, TickOutcome};
 use technol_target::{Simulation, parse_machine};
 
@@ -36,26 +37,17 @@ struct Base {
 }
 
 static BASES: LazyLock<Vec<Base>> = LazyLock::new(|| {
-    let families = Lone(include_str!("../common/families.plc"));
-    let mechanisms = Lone(include_str!("../common/processor.plc"));
+    let mechanisms = families::Lone(include_str!("../common/processor.plc"));
     let lathe = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/lathe");
     let text = std::fs::read_to_string(lathe.join("machine.toml")).expect("the lathe has a machine");
     let machine = parse_machine(Path::new("machine.toml"), &text).expect("it is right");
-    let lathe = build(&lathe.to_string_lossy(), &Disk);
+    let lathe = families::build(&lathe.to_string_lossy(), &Disk);
     vec![
-        Base { program: build("plc.plc", &families), machine: None },
+        Base { program: families::program(), machine: None },
         Base { program: lathe, machine: Some(machine) },
-        Base { program: build("plc.plc", &mechanisms), machine: None },
+        Base { program: families::build("plc.plc", &mechanisms), machine: None },
     ]
 });
-
-struct Lone(&'static str);
-
-impl FileReader for Lone {
-    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        if path == "plc.plc" { Ok(self.0.into()) } else { Err("no such file".to_owned()) }
-    }
-}
 
 struct Disk;
 
@@ -63,13 +55,6 @@ impl FileReader for Disk {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         std::fs::read(path).map_err(|e| e.to_string())
     }
-}
-
-fn build(path: &str, reader: &dyn FileReader) -> Program {
-    let mut host = AnalysisHost::new();
-    host.apply(Change { project: Some(load(path, reader)), texts: Vec::new() });
-    let built = host.analysis().build().expect("nothing cancels it");
-    built.unwrap_or_else(|findings| panic!("{path} cannot be built: {findings:?}")).image.program
 }
 
 /// Number of real programs that inputs begin from.
@@ -181,7 +166,7 @@ fn run(program: Program, machine: Option<&MachineConfig>, script: &[u8]) -> bool
     let statements = program.statements.clone();
     let Ok(mut simulation) = Simulation::new(program, machine) else { return false };
     simulation.runtime_mut().set_limits(Limits { per_pass: PER_PASS, ..Limits::default() });
-    furnish(&mut simulation);
+    families::furnish(&mut simulation);
     simulation.start(true);
     let mut events = Vec::new();
     let mut script = script.iter().copied().cycle();
@@ -265,32 +250,5 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
             simulation.control_mut().select_row(0, usize::from(value) % 3);
         }
         _ => {}
-    }
-}
-
-/// What the instructions of the control find, so that they do not end at once.
-fn furnish(simulation: &mut Simulation) {
-    let text = |text: &str| text.as_bytes().to_vec();
-    let columns =
-        [("Name", ValueKind::Text), ("Teeth", ValueKind::Int), ("Feed", ValueKind::Real), ("Blob", ValueKind::Bytes)];
-    let columns = columns.map(|(id, kind)| Column { id: text(id), kind }).to_vec();
-    let row = vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
-    let parameters =
-        [("Delay", Value::Int(7)), ("Gain", Value::Real(2.5)), ("Name", Value::Text(text("xyz"))), ("Raw", Value::Bytes(vec![9; 40]))];
-    simulation.set_data(ControlData {
-        parameters: parameters.map(|(id, value)| (text(id), value)).into(),
-        constants: [(text("Offs"), 260)].into(),
-        tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
-        backup: vec![1; 100],
-    });
-    let control = simulation.control_mut();
-    control.serial_mut(1);
-    control.can_unit_mut(2, 1, 3);
-    control.can_unit_mut(2, 1, 4);
-    control.can_drive_mut(2);
-    let ethercat = control.ethercat_mut();
-    if let Some(slave) = ethercat.slave_mut(1) {
-        slave.set_object(0x603F, 0, &[0x34, 0x12], false);
-        slave.set_object(0x6060, 0, &[1], false);
     }
 }

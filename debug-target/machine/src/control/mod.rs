@@ -1,7 +1,7 @@
 //! The simulated control around a program: it carries out what the runtime leaves to a
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
-use technol_image::service::Service;
+use technol_image::service::{Arg, Service, ServiceCall};
 use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
 
 use crate::config::MachineConfig;
@@ -41,6 +41,9 @@ pub use can::{CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit};
 pub use ethercat::{EcatSlave, EcatState, EtherCat};
 pub use licence::Licences;
 pub use serial::{SERIAL_QUEUE, SerialPort};
+
+/// Bytes of a text in a table for which room is made before the program runs; a longer one takes its memory when it comes.
+const MAX_TEXT: usize = 1024;
 
 /// The control. Deterministic; a clone is a snapshot.
 #[derive(Clone, Debug, Default)]
@@ -139,6 +142,27 @@ impl SimulatedControl {
     /// Replaces what it has on its disk.
     pub fn set_data(&mut self, data: ControlData) {
         self.data = data;
+        backup::make_room(&mut self.data.backup);
+    }
+
+    /// Makes room for all that a program may have under way at once, so that its cycles need no memory. Without it the first
+    /// execution of a line does.
+    pub fn prepare(&mut self, services: &[ServiceCall]) {
+        backup::make_room(&mut self.data.backup);
+        for (call, it) in (0..).zip(services) {
+            match it.service {
+                Service::SaRead | Service::SaWrite => self.shared.prepare(call),
+                other if other.name().starts_with("PLCT_") => {
+                    let longest = it.args.iter().map(|arg| match arg {
+                        Arg::Text(bytes) => bytes.len(),
+                        Arg::Area { len, .. } => *len as usize,
+                        _ => 8,
+                    });
+                    self.tables.prepare(call, other, longest.max().unwrap_or(0).min(MAX_TEXT));
+                }
+                _ => {}
+            }
+        }
     }
 
     /// What the program published by SHARE_VAR and SHARE_BIT.
@@ -296,9 +320,9 @@ impl Control for SimulatedControl {
     fn start(&mut self, cold: bool) {
         self.motion.start(cold);
         self.elements.start();
-        self.messages = Messages::default();
+        self.messages.start();
         self.shared.start(cold);
-        self.tables.start();
+        self.tables.start(&mut self.data.tables);
         self.serial.start();
         self.can.start();
         self.drives.start(cold);

@@ -39,9 +39,9 @@ impl Default for SerialPort {
         SerialPort {
             baud: 9600,
             failed: false,
-            transmit: VecDeque::new(),
-            receive: VecDeque::new(),
-            sent: VecDeque::new(),
+            transmit: VecDeque::with_capacity(SERIAL_QUEUE),
+            receive: VecDeque::with_capacity(SERIAL_QUEUE),
+            sent: VecDeque::with_capacity(SENT),
             elapsed: 0,
             send_over: false,
             recv_over: false,
