@@ -42,7 +42,7 @@ pub use ethercat::{EcatSlave, EcatState, EtherCat};
 pub use licence::Licences;
 pub use serial::{SERIAL_QUEUE, SerialPort};
 
-/// Bytes of a text in a table for which room is made before the program runs; a longer one takes its memory when it comes.
+/// Bytes of a text in a table, or of a block on a bus, for which room is made before the program runs; a longer one takes its memory when it comes.
 const MAX_TEXT: usize = 1024;
 
 /// The control. Deterministic; a clone is a snapshot.
@@ -150,16 +150,20 @@ impl SimulatedControl {
     pub fn prepare(&mut self, services: &[ServiceCall]) {
         backup::make_room(&mut self.data.backup);
         for (call, it) in (0..).zip(services) {
+            let bytes = it.args.iter().map(|arg| match arg {
+                Arg::Text(bytes) => bytes.len(),
+                Arg::Area { len, .. } => *len as usize,
+                _ => 8,
+            });
+            let longest = bytes.max().unwrap_or(0).min(MAX_TEXT);
             match it.service {
                 Service::SaRead | Service::SaWrite => self.shared.prepare(call),
-                other if other.name().starts_with("PLCT_") => {
-                    let longest = it.args.iter().map(|arg| match arg {
-                        Arg::Text(bytes) => bytes.len(),
-                        Arg::Area { len, .. } => *len as usize,
-                        _ => 8,
-                    });
-                    self.tables.prepare(call, other, longest.max().unwrap_or(0).min(MAX_TEXT));
-                }
+                Service::EcatCommand
+                | Service::EcatCoeRead
+                | Service::EcatCoeWrite
+                | Service::EcatSoeRead
+                | Service::EcatSoeWrite => self.ethercat.prepare(call, longest),
+                other if other.name().starts_with("PLCT_") => self.tables.prepare(call, other, longest),
                 _ => {}
             }
         }
