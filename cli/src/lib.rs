@@ -17,7 +17,7 @@ mod run;
 mod target;
 mod test;
 
-#[cfg(feature = "fuzzing")]
+#[cfg(any(test, feature = "fuzzing"))]
 pub use test::hostile;
 
 use std::process::ExitCode;

@@ -11,6 +11,7 @@ use technol_wire::message::{Chunk, Event, PlcState, Status};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
+use crate::event_log::EventLog;
 use crate::keep::Keep;
 use crate::simulation::{Simulation, SimulationError};
 
@@ -38,6 +39,8 @@ pub struct TargetOptions {
     pub data: ControlData,
     /// Where changes of that are kept.
     pub keep: Keep,
+    /// Where what happens is logged.
+    pub log: Option<EventLog>,
     /// Loaded at once.
     pub program: Option<Program>,
     /// Started at once (cold), as at power-on.
@@ -63,6 +66,7 @@ pub struct TargetCore {
     machine: Option<MachineConfig>,
     data: ControlData,
     keep: Keep,
+    log: Option<EventLog>,
     pub(crate) simulation: Option<Simulation>,
     pub(crate) program: Option<ContentHash>,
     pub(crate) download: Option<Download>,
@@ -82,13 +86,14 @@ impl TargetCore {
     /// # Errors
     /// A program or a machine that is wrong.
     pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
-        let TargetOptions { clock, machine, data, keep, program, start } = options;
+        let TargetOptions { clock, machine, data, keep, log, program, start } = options;
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let mut core = TargetCore {
             clock,
             machine,
             data,
             keep,
+            log,
             simulation: None,
             program: None,
             download: None,
@@ -263,7 +268,29 @@ impl TargetCore {
             simulation.cycle(&mut self.occurred);
         }
         self.keep_files();
+        self.log();
         self.report();
+    }
+
+    /// Logs what occurred.
+    fn log(&mut self) {
+        if let (Some(log), Some(simulation)) = (&mut self.log, &self.simulation)
+            && let Err(error) = log.write(simulation, &self.occurred)
+        {
+            self.events.push(Event::Log(error));
+        }
+    }
+
+    /// Ends the target as a control is switched off: the program ends through MODULE_DONE, and everything that is kept is saved.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn shut_down(mut self) -> Result<(), String> {
+        let Some(mut simulation) = self.simulation.take() else { return Ok(()) };
+        simulation.shut_down(&mut self.occurred);
+        let kept = self.keep.follow(simulation.control());
+        let logged = self.log.as_mut().map_or(Ok(()), |log| log.write(&simulation, &self.occurred));
+        kept.and(logged)
     }
 
     /// Turns what occurred in the runtime into events for the host.

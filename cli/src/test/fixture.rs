@@ -86,8 +86,8 @@ impl FileReader for Files {
 /// The program, built.
 pub(super) struct Fixture {
     pub(super) program: Program,
-    debug: DebugInfo,
-    mechanisms: Mechanisms,
+    pub(super) debug: DebugInfo,
+    pub(super) mechanisms: Mechanisms,
     machines: Machines,
 }
 

@@ -3,6 +3,8 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
+use super::board::MessageText;
+
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ControlData {
@@ -10,10 +12,20 @@ pub struct ControlData {
     pub parameters: BTreeMap<Vec<u8>, Value>,
     /// Constants by identifier, numbered ones with their number (manual 16.2).
     pub constants: BTreeMap<Vec<u8>, i64>,
+    /// Texts and properties of messages by number (manual 14.4).
+    pub messages: BTreeMap<u32, MessageText>,
     /// PLC tables in order of their numbers (manual 17).
     pub tables: Vec<Table>,
     /// PLC_MEM_BACKUP as it was saved last; missing bytes are 0 (manual 18.1).
     pub backup: Vec<u8>,
+}
+
+impl ControlData {
+    /// What is known of a message.
+    #[must_use]
+    pub fn message(&self, number: u32) -> Option<&MessageText> {
+        self.messages.get(&number)
+    }
 }
 
 /// A value of one of the four types.

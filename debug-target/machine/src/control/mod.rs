@@ -10,6 +10,7 @@ use crate::signal::Signal;
 
 mod axes;
 mod backup;
+mod board;
 mod can;
 pub(crate) mod config;
 mod configuration;
@@ -31,6 +32,7 @@ use messages::Messages;
 use shared::SharedMemory;
 use tables::Tables;
 
+pub use board::{MessageBoard, MessageKind, MessageText, Shown};
 pub use data::{Column, ControlData, Table, Value, ValueKind};
 pub use shared::Shared;
 
@@ -51,6 +53,7 @@ pub struct SimulatedControl {
     data: ControlData,
     elements: Elements,
     messages: Messages,
+    board: MessageBoard,
     motion: Motion,
     shared: SharedMemory,
     tables: Tables,
@@ -202,6 +205,22 @@ impl SimulatedControl {
         self.saved
     }
 
+    /// The messages that the operator sees.
+    #[must_use]
+    pub fn board(&self) -> &MessageBoard {
+        &self.board
+    }
+
+    /// A message of the program, of ESET or EDEF, reaches the operator: shown (`set`) or removed.
+    pub fn report(&mut self, message: Shown, set: bool) {
+        self.board.report(self.data.message(message.number), message, set);
+    }
+
+    /// The operator confirms the transient message on the screen.
+    pub fn acknowledge(&mut self) -> Option<Shown> {
+        self.board.acknowledge()
+    }
+
     /// A logical channel of serial ports; it is configured from the first time on.
     pub fn serial_mut(&mut self, channel: u8) -> &mut SerialPort {
         self.serial.port(channel)
@@ -325,6 +344,7 @@ impl Control for SimulatedControl {
         self.motion.start(cold);
         self.elements.start();
         self.messages.start();
+        self.board.start(cold);
         self.shared.start(cold);
         self.tables.start(&mut self.data.tables);
         self.serial.start();
