@@ -13,6 +13,7 @@ use crate::clock::{CYCLE, Pacer};
 use crate::convert;
 use crate::event_log::EventLog;
 use crate::keep::Keep;
+use crate::lines::Lines;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Wall time that virtual cycles may take before the link is looked at again.
@@ -67,6 +68,8 @@ pub struct TargetCore {
     data: ControlData,
     keep: Keep,
     log: Option<EventLog>,
+    /// Serial ports of the program.
+    lines: Lines,
     pub(crate) simulation: Option<Simulation>,
     pub(crate) program: Option<ContentHash>,
     pub(crate) download: Option<Download>,
@@ -88,8 +91,11 @@ impl TargetCore {
     pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
         let TargetOptions { clock, machine, data, keep, log, program, start } = options;
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        // In virtual time no device could follow.
+        let lines = Lines::open(machine.as_ref().filter(|_| clock == Clock::Real));
         let mut core = TargetCore {
             clock,
+            lines,
             machine,
             data,
             keep,
@@ -260,6 +266,7 @@ impl TargetCore {
     /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
     fn run_cycle(&mut self) {
         let Some(simulation) = &mut self.simulation else { return };
+        self.lines.exchange(simulation.control_mut());
         if simulation.runtime().stopped().is_some() {
             for _ in 0..CYCLE.as_millis() {
                 simulation.tick(&mut self.occurred);

@@ -15,6 +15,7 @@ mod core;
 mod embedded;
 mod event_log;
 mod keep;
+mod lines;
 mod link;
 mod listen;
 mod machine_file;

@@ -43,6 +43,24 @@ fn images_that_cannot_be_loaded_are_refused_with_a_remedy() {
 }
 
 #[test]
+fn an_image_with_wild_addresses_is_refused_with_its_operation() {
+    use technol_image::{Op, Width};
+    let lathe = Lathe::copy();
+    run(&["build", &lathe.path("")]).ok();
+    let file = lathe.path("out/lathe.tplc");
+    let mut image = technol_image::decode(&std::fs::read(&file).expect("the image")).expect("it is right");
+    let code = &mut image.program.code;
+    let at = code.iter().position(|op| matches!(op, Op::Load { .. })).expect("a load");
+    let far = technol_image::Place { addr: u32::MAX, indexed: false };
+    code[at] = Op::Load { src: technol_image::Source::Mem(far), width: Width::Word, neg: false };
+    image.debug = None;
+    // Sealed again: the checksum is right.
+    std::fs::write(&file, technol_image::encode(&image)).expect("written");
+    let said = format!("operation {at}");
+    run(&["target", &file, LISTEN[0], LISTEN[1]]).failed(2, &[&said, "outside PLC memory", "build"]);
+}
+
+#[test]
 fn places_that_cannot_be_served_are_refused_with_a_remedy() {
     run(&["target"]).failed(2, &["--listen"]);
     run(&["target", "--listen", "tcp:127.0.0.1:0", "--serial", "/dev/x"]).failed(2, &["--serial"]);

@@ -173,6 +173,55 @@ fn a_fault_of_the_program_stops_at_its_line_and_leaves_everything_readable() {
     assert!(why.contains("fault") && why.contains("restart"), "{why}");
 }
 
+/// The line that faults, what is said, what is in BX or in a cell then.
+const MISUSES: &[(&str, &str, &str)] = &[
+    (" DIVB ZERO", "division by zero", "LOD VALUE / DIVB ZERO"),
+    (" BIN", "BCD", "LOD CNST.0FFh / BIN"),
+    (" JUM AGAIN", "endless loop", "AGAIN: / JUM AGAIN"),
+    // The index leads out of memory.
+    (" STO BYTE.VALUE[BX]", "outside PLC memory", "LOD CNST.8000h / MOV BX,CX / RL 8 / MOV EBX,80000000h / STO BYTE.VALUE[BX]"),
+    // It leads into the cells in which a mechanism keeps where it is: the next pass finds nonsense there.
+    ("MECH_BEGIN WORKER", "continuation", "MOV EBX,0 / LOOP: / LOD CNST.55h / STO BYTE.ZERO[BX] / INC EBX / CMP EBX,200 / JB LOOP / EX"),
+];
+
+#[test]
+fn whatever_a_program_misuses_is_told_with_file_line_and_mechanism_and_the_target_lives_on() {
+    for (faulty, said, lines) in MISUSES {
+        let folder = tempfile::tempdir().expect("a folder");
+        let lines: String = lines.split(" / ").map(|line| indented(line) + "\n").collect();
+        let main = format!("MECH_BEGIN WORKER\n EX\n{lines}MECH_END WORKER");
+        let source = program("VALUE: DS 2\nZERO: DS 2", &main, " LOD CNST.77\n STO VALUE\n FL 1,WORKER");
+        let path = folder.path().join("misuse.plc");
+        std::fs::write(&path, &source).expect("written");
+        let line = source.lines().position(|l| l == *faulty).expect("the line") + 1;
+
+        let mut adapter = Adapter::start();
+        let launch = json!({ "program": path, "target": "embedded", "clock": "virtual" });
+        adapter.client.start(launch, &[]).unwrap_or_else(|e| panic!("{said}: {e}"));
+        let mut mark = Mark::START;
+        // The second time after a restart: it is the same fault, in the same target.
+        for _ in 0..2 {
+            let stop = adapter.client.event(mark, "stopped").unwrap_or_else(|e| panic!("{said}: {e}"));
+            assert_eq!(stop["reason"], "exception", "{said}: {stop}");
+            let thread = stop["threadId"].as_i64().expect("a thread");
+            let info = adapter.client.request("exceptionInfo", json!({ "threadId": thread })).expect("the reason");
+            let text = info["description"].as_str().expect("a text");
+            for part in [*said, "WORKER", format!("misuse.plc:{line}").as_str()] {
+                assert!(text.contains(part), "`{part}` in: {text}");
+            }
+            let value = adapter.client.evaluate("VALUE", "watch").expect("readable");
+            assert!(value.starts_with("77 ") || *said == "continuation", "{said}: {value}");
+            mark = adapter.client.mark();
+            adapter.client.request("restart", json!({})).unwrap_or_else(|e| panic!("{said}: {e}"));
+        }
+    }
+}
+
+/// Labels and mechanisms stand in the first column, instructions behind it.
+fn indented(line: &str) -> String {
+    if line.ends_with(':') { line.to_owned() } else { format!(" {line}") }
+}
+
 #[test]
 fn a_server_that_is_no_target_is_recognised_within_seconds() {
     let lathe = Lathe::copy();

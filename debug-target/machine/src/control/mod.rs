@@ -226,6 +226,12 @@ impl SimulatedControl {
         self.serial.port(channel)
     }
 
+    /// A logical channel of serial ports, if it is configured.
+    #[must_use]
+    pub fn serial(&self, channel: u8) -> Option<&SerialPort> {
+        self.serial.configured(channel)
+    }
+
     /// The hardware key and its licences.
     pub fn licences_mut(&mut self) -> &mut Licences {
         &mut self.licences

@@ -60,6 +60,12 @@ impl SerialPort {
         self.failed = failed;
     }
 
+    /// The line is broken.
+    #[must_use]
+    pub fn is_failed(&self) -> bool {
+        self.failed
+    }
+
     /// Characters that arrive for the program. Those for which its queue has no room are lost, which it is told
     /// by PLC_COM_RECV_OVER; on a broken line nothing arrives.
     pub fn feed(&mut self, bytes: &[u8]) {
@@ -122,6 +128,10 @@ pub(super) struct Serial {
 }
 
 impl Serial {
+    pub(super) fn configured(&self, number: u8) -> Option<&SerialPort> {
+        self.ports.get(&number)
+    }
+
     pub(super) fn port(&mut self, number: u8) -> &mut SerialPort {
         self.ports.entry(number).or_default()
     }
