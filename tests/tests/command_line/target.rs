@@ -4,6 +4,8 @@
 use std::io::{BufRead as _, BufReader};
 #[cfg(unix)]
 use std::process::{Command, Stdio};
+#[cfg(unix)]
+use std::time::{Duration, Instant};
 
 #[cfg(unix)]
 use crate::binary::technol;
@@ -90,7 +92,7 @@ fn a_signal_ends_the_program_in_order_and_what_is_kept_is_saved() {
     let image = folder.path("main.tplc");
     run(&["build", &folder.path("main.plc"), "--out", &folder.path("")]).ok();
     let (memory, log) = (folder.path("memory.bin"), folder.path("events.log"));
-    for (start, signal) in [(1, "TERM"), (2, "INT")] {
+    for (start, signal) in [(1_u8, "TERM"), (2, "INT")] {
         let mut target = Command::new(technol())
             .args(["target", &image, "--start", "--backup", &memory, "--log", &log])
             .args(LISTEN)
@@ -101,6 +103,12 @@ fn a_signal_ends_the_program_in_order_and_what_is_kept_is_saved() {
         let mut line = String::new();
         said.read_line(&mut line).expect("it says something");
         assert!(line.starts_with("listening at tcp:"), "{line}");
+        let deadline = Instant::now() + Duration::from_secs(60);
+        let running = || std::fs::read_to_string(&log).is_ok_and(|log| log.matches("PLC Running").count() == usize::from(start));
+        while !running() {
+            assert!(Instant::now() < deadline, "the program does not start");
+            std::thread::sleep(Duration::from_millis(5));
+        }
         let kill = Command::new("kill").args(["-s", signal, &target.id().to_string()]).status();
         assert!(kill.expect("a signal").success());
         let status = target.wait().expect("it ends");
