@@ -27,6 +27,8 @@ const MILLIS: u32 = 240;
 const PER_PASS: u32 = 400;
 /// Modules of a program that is run: each has its budget, and images may hold any number.
 const MODULES: usize = 64;
+/// Stops at which the whole state is looked at.
+const THOROUGH: usize = 3;
 /// Bytes of a change.
 const CHANGE: usize = 6;
 
@@ -176,6 +178,10 @@ fn run(program: Program, machine: Option<&MachineConfig>, script: &[u8]) -> bool
         if simulation.tick(&mut events) == TickOutcome::Stopped {
             look(&simulation);
             stops += 1;
+            // Looking at everything costs more than running.
+            if stops < THOROUGH {
+                let _ = simulation.state_hash();
+            }
             let over = Resume::StepOver { sequence: None };
             let how = [Resume::Continue, over, Resume::StepInto, Resume::StepOut][stops % 4];
             simulation.runtime_mut().resume(how);
@@ -192,6 +198,7 @@ fn run(program: Program, machine: Option<&MachineConfig>, script: &[u8]) -> bool
         }
     }
     look(&simulation);
+    let _ = simulation.state_hash();
     simulation.power_off();
     true
 }
@@ -205,7 +212,9 @@ fn look(simulation: &Simulation) {
     let memory = plc.memory();
     let control = simulation.control();
     let shared = control.shared().iter().map(|it| (it.value(memory), it.limits(memory)));
-    let _ = (plc.registers(), plc.sequences().count(), shared.count(), plc.state_hash());
+    let data = control.data();
+    let texts = control.board().transient().chain(control.board().persistent()).map(|it| it.text(data));
+    let _ = (plc.registers(), plc.sequences().count(), shared.count(), texts.count());
 }
 
 /// What a byte of the script does.
