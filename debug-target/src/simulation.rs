@@ -5,16 +5,19 @@ use std::collections::VecDeque;
 use technol_image::Program;
 use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
 use technol_machine::{
-    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, SimulatedControl,
+    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown,
+    SimulatedControl,
 };
 use technol_runtime::{
-    Block, Command, Gear, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome,
+    Block, Command, Gear, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
 };
 
 use crate::part_program;
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;
+/// Cycles that MODULE_DONE may take when the power is switched off.
+const LAST_CYCLES: u32 = 250;
 
 /// Why there is no simulation.
 #[derive(Debug, thiserror::Error)]
@@ -73,10 +76,12 @@ impl Simulation {
             .collect();
         runtime.set_gears(&gears);
         runtime.set_conditional_stop(control.conditional_stop);
+        let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
+        around.prepare(&runtime.program().services);
         Ok(Simulation {
             runtime,
             plant,
-            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
+            control: around,
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -137,6 +142,23 @@ impl Simulation {
         self.control.save_backup(self.runtime.memory());
     }
 
+    /// The power is switched off in good order: MODULE_DONE, waiting at most five seconds of PLC time for its end, then what is
+    /// kept is saved. A program that the debugger holds goes on to there without break-points.
+    pub fn shut_down(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.runtime.set_breakpoints(&[]);
+        self.runtime.command(Command::StopPlc { power_off: true });
+        for _ in 0..LAST_CYCLES {
+            if !self.runtime.state().is_cycling() {
+                break;
+            }
+            if self.runtime.stopped().is_some() {
+                self.runtime.resume(Resume::Continue);
+            }
+            self.cycle(events);
+        }
+        self.power_off();
+    }
+
     /// Input ports as the PLC will see them.
     pub fn inputs(&self) -> &InputImage {
         &self.inputs
@@ -179,7 +201,17 @@ impl Simulation {
             self.power_off();
         }
         self.follow_blocks(&events[first..], waiting);
+        self.show(&events[first..]);
         outcome
+    }
+
+    /// Messages reach the operator.
+    fn show(&mut self, events: &[RuntimeEvent]) {
+        for event in events {
+            if let RuntimeEvent::Message { cycle, number, sub_id, set, parameters, .. } = *event {
+                self.control.report(Shown { number, sub_id, parameters, cycle }, set);
+            }
+        }
     }
 
     /// Milliseconds up to the end of the 20 ms cycle in progress, or until the program is held or no longer
