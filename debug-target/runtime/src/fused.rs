@@ -17,7 +17,7 @@ use crate::memory::Window;
 use crate::registers::Registers;
 
 /// Longest stretch in operations.
-pub(crate) const MAX_LEN: usize = 64;
+pub(crate) const MAX_LEN: usize = 240;
 /// Values that a stretch may push, not counting what a table pushes and pops.
 const MAX_PUSHES: u8 = 2;
 /// Values that may be on the equation stack when it begins.
