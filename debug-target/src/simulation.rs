@@ -123,10 +123,12 @@ impl Simulation {
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
         let Simulation { runtime, plant, control, inputs, moved, starting, waiting, annulled } = self;
-        // Only equality matters, and both halves are mixed already.
-        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {annulled:?}");
+        let rest = format!("{moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
+        // Only equality matters, and the three parts are mixed already.
+        let parts = [plant.state_hash(), control.state_hash()].into_iter();
+        let bytes = inputs.iter().chain(rest.as_bytes()).copied().map(u64::from);
+        parts.chain(bytes).fold(runtime.state_hash(), mix)
     }
 
     /// Replaces what the control has on its disk; PLC_MEM_BACKUP is loaded from there at once.

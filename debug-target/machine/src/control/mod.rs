@@ -86,6 +86,12 @@ impl SimulatedControl {
         control
     }
 
+    /// A number that two controls share when they go on the same way from here.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        crate::state_hash::of(self)
+    }
+
     /// Axes and spindles.
     #[must_use]
     pub fn motion(&self) -> &Motion {
