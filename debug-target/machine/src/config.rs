@@ -428,7 +428,7 @@ pub struct Block {
     pub t: Option<u32>,
     /// H function, 0..=99.
     pub h: Option<u8>,
-    /// How long its movement takes; 0: a block without movement.
+    /// How long its movement takes; 0: a block without movement, unless it has targets.
     pub motion_ms: u32,
     /// Rapid traverse.
     pub rapid: bool,
@@ -436,7 +436,11 @@ pub struct Block {
     pub mode: BlockMode,
     /// Spindle speed in rev/min.
     pub speed: Option<f64>,
-    /// Feed in mm/min.
+    /// Constant cutting speed in m/min, for blocks with its flag.
+    pub cutting_speed: Option<f64>,
+    /// Largest spindle speed at constant cutting speed in rev/min.
+    pub speed_limit: Option<f64>,
+    /// Feed in mm/min, or with `rev-feed` in mm/rev.
     pub feed: Option<f64>,
     /// Largest feed in mm/min.
     pub feed_max: Option<f64>,

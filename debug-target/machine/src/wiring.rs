@@ -295,7 +295,16 @@ fn describe_block(n: usize, block: &Block) -> String {
         (_, Some(signal)) => format!("when {signal} goes on"),
         _ => "after the block before it".to_string(),
     };
-    let motion =
-        if block.motion_ms > 0 { format!(", moves for {} ms", block.motion_ms) } else { String::new() };
+    let targets = || {
+        let each = block.axes.iter().map(|(axis, target)| format!("axis {} to {target} mm", axis + 1));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let motion = match (&block.axes[..], block.motion_ms, block.rapid, block.feed) {
+        ([], 0, ..) => String::new(),
+        ([], millis, ..) => format!(", moves for {millis} ms"),
+        (_, _, true, _) => format!(", rapid traverse: {}", targets()),
+        (_, _, _, Some(feed)) => format!(", feed {feed}: {}", targets()),
+        _ => format!(", {}", targets()),
+    };
     format!("{} {when}{motion}", block_name(n, block))
 }

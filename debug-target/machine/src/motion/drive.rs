@@ -63,6 +63,7 @@ impl Motion {
 
     /// Moves the axes of the block along their path.
     pub(crate) fn move_block(&mut self, signals: &Signals, feed: &Feed) {
+        let revolutions = self.main_revolutions();
         let Some(path) = &mut self.path else { return };
         let (mut hold, mut slow) = (self.hold, f64::INFINITY);
         for (index, share, place) in path.places() {
@@ -80,7 +81,7 @@ impl Motion {
                 return;
             }
         }
-        if path.tick(&mut self.axes, feed, hold, slow) {
+        if path.tick(&mut self.axes, feed, hold, slow, revolutions) {
             self.path = None;
             self.block = BlockState::Done;
             for axis in self.axes.iter_mut().filter(|axis| axis.work == Work::Block) {
@@ -247,6 +248,7 @@ impl Motion {
         cells.set_bit(place::LIMIT_SWITCH, switches != 0);
         cells.set_bit(place::SOFT_LIMIT, limits != 0);
         cells.set_bit(place::AT_STOP_POINT, self.at_stop_point());
+        cells.set_bit(place::STOP_POINT_LEFT, !self.at_stop_point());
         cells.set_byte(place::FEED_PERCENT, self.feed_percent);
     }
 
