@@ -217,6 +217,11 @@ impl Simulation {
                 return;
             }
             PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
+            PlantEvent::Panel { key, pressed } => {
+                // Its axis was checked with the machine.
+                let _ = self.control.motion_mut().panel_key(key, pressed);
+                return;
+            }
             PlantEvent::Start => Command::ContinueBlock,
             PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use crate::block::{BlockFlag, BlockMode};
 pub use crate::control::elements::config::{Input, Link, Number, Output, Value};
 use crate::drive::{Outputs, Signals};
-use crate::motion::Thousandths;
+use crate::motion::{PanelKey, Thousandths};
 use crate::motion::config::{Axis, Spindle};
 
 pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
@@ -378,6 +378,8 @@ pub struct Key {
     pub input: Option<String>,
     /// PLC command that the control tells `_ON_CMD` when it is pressed and released.
     pub command: Option<i32>,
+    /// What it does with axes and spindles.
+    pub panel: Option<PanelKey>,
     /// Off while it is pressed (a normally closed stop button).
     #[serde(default)]
     pub invert: bool,

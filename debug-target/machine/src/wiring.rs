@@ -261,6 +261,7 @@ fn key(e: &Key, wiring: &mut Wiring) {
     if let Some(command) = e.command {
         does.push(format!("tells _ON_CMD {command}"));
     }
+    does.extend(e.panel.map(crate::motion::PanelKey::describe));
     wiring.keys.push((e.name.clone(), does.join(", ")));
 }
 

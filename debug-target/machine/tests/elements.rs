@@ -296,7 +296,7 @@ fn what_is_wrong_is_named_with_its_place() {
         "slide[0].initially-mm: must lie on the way, from 0 to `stroke-mm`",
         "slide[0].switches: `at` must lie on the way, from 0 to `stroke-mm`, `width` not be negative",
         "slide[1]: needs `switches` or `position`, else nothing can be seen of it",
-        "key[0]: needs `input` or `command`, else it does nothing",
+        "key[0]: needs `input`, `command` or `panel`, else it does nothing",
         "fault[0].element: no element is called `gate`; there is `door`",
         "fault[1].stuck: only a contact or a latch can be stuck; use `jammed = true`",
         "fault[2].slow: must be 2 to 1000: how many times as long everything takes",

@@ -38,7 +38,7 @@ fn three() -> [Block; 3] {
         m: vec![3, 77],
         t: Some(300),
         h: Some(6),
-        motion_ms: 1000,
+        rapid: true,
         prepared: Some(Box::new(prepared)),
         ..Block::default()
     };

@@ -30,6 +30,7 @@ mod instructions;
 mod jog;
 mod number;
 mod output;
+mod panel;
 mod path;
 mod publish;
 mod ramp;
@@ -48,6 +49,7 @@ pub use instructions::SpiAx;
 pub use jog::Direction;
 pub use number::Thousandths;
 pub use output::{Analog, PORTS, Role};
+pub use panel::PanelKey;
 pub use path::{BlockMove, BlockState, Hold};
 pub use unit::{PosControl, PosMode};
 

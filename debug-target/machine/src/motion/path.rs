@@ -53,6 +53,18 @@ pub enum BlockState {
     Done,
 }
 
+/// What a tick lets a path do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Way {
+    pub(crate) hold: Hold,
+    /// The greatest speed that limits allow.
+    pub(crate) slow: f64,
+    /// How far it is to the first software limit.
+    pub(crate) room: f64,
+    /// Revolutions of the main spindle in a second.
+    pub(crate) revolutions: f64,
+}
+
 /// The path in progress.
 #[derive(Clone, Debug)]
 pub(crate) struct Path {
@@ -137,15 +149,9 @@ impl Path {
         taking_part.map(|(index, share)| (index, *share, self.begin[index] + share * self.along.position))
     }
 
-    /// One tick; `true` at the end of the path. `revolutions`: of the main spindle, a second.
-    pub(crate) fn tick(
-        &mut self,
-        all: &mut [Axis],
-        feed: &Feed,
-        hold: Hold,
-        slow: f64,
-        revolutions: f64,
-    ) -> bool {
+    /// One tick; `true` at the end of the path.
+    pub(crate) fn tick(&mut self, all: &mut [Axis], feed: &Feed, way: Way) -> bool {
+        let Way { hold, slow, room, revolutions } = way;
         if !self.released {
             return false;
         }
@@ -157,7 +163,8 @@ impl Path {
         };
         let speed = if hold == Hold::Go { speed.min(slow) } else { 0.0 };
         let accel = if hold == Hold::Emergency { self.emergency } else { self.accel };
-        let done = self.along.tick(Goal::Position { target: self.length, speed, approach: 0.0 }, accel);
+        let target = self.length.min(self.along.position + room.max(0.0));
+        let done = self.along.tick(Goal::Position { target, speed, approach: 0.0 }, accel);
         for (index, share) in self.share.iter().enumerate().filter(|(_, share)| **share != 0.0) {
             let (axis, begin) = (&mut all[index], self.begin[index]);
             let before = axis.ramp.position;
@@ -165,6 +172,6 @@ impl Path {
                 Ramp { position: begin + share * self.along.position, velocity: share * self.along.velocity };
             axis.shift(axis.ramp.position - before, 0);
         }
-        done
+        done && target >= self.length
     }
 }

@@ -488,3 +488,42 @@ fn the_independent_shift_goes_beside_the_path_and_back_with_its_mode() {
     bench.run(200);
     near(bench.position(1, 5), 20_000.0, 0.001);
 }
+
+#[test]
+fn keys_of_the_panel_do_what_they_say() {
+    use technol_machine::motion::PanelKey;
+    let mut bench = Bench::new("[[axis]]\nnumber=2\nfeed=600");
+    bench.set(place::JOG_BEGIN, true);
+    let press = |bench: &mut Bench, key, down| bench.motion.panel_key(key, down).unwrap();
+    press(&mut bench, PanelKey::Jog(-2), true);
+    bench.run(200);
+    let slow = bench.position(2, 0);
+    assert!((-2000.0..-1500.0).contains(&slow), "10 mm/s: {slow}");
+    press(&mut bench, PanelKey::FeedPercent(0), true);
+    press(&mut bench, PanelKey::FeedPercent(0), false);
+    bench.run(100);
+    let stopped = bench.position(2, 0);
+    bench.run(100);
+    assert_eq!(bench.position(2, 0), stopped, "the potentiometer stays where it is");
+    press(&mut bench, PanelKey::FeedPercent(100), true);
+    press(&mut bench, PanelKey::JogRapid, true);
+    bench.run(500);
+    assert!(bench.is(place::JOG_RAPID) && bench.position(2, 0) < stopped - 10_000.0);
+    press(&mut bench, PanelKey::JogRapid, false);
+    press(&mut bench, PanelKey::Jog(-2), false);
+    bench.run(500);
+    let before = bench.position(1, 0);
+    bench.cells().set_word(place::WHEEL_STEP, 100);
+    press(&mut bench, PanelKey::SelectAxis(1), true);
+    bench.run(1);
+    press(&mut bench, PanelKey::Wheel(5), true);
+    press(&mut bench, PanelKey::Wheel(5), false);
+    bench.run(500);
+    assert_eq!(bench.position(1, 0) - before, 500.0);
+    bench.set(place::JOG_END, true);
+    press(&mut bench, PanelKey::HomeGroup, true);
+    bench.run(1);
+    assert!(bench.is(place::HOMING_GROUP));
+    assert_eq!(bench.motion.panel_key(PanelKey::Home(17), true), Ok(()), "asked for, and not found");
+    assert_eq!(bench.motion.panel_key(PanelKey::Jog(17), true), Err(Refused::NoSuchAxis));
+}
