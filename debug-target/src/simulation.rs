@@ -9,7 +9,7 @@ use technol_machine::{
     SimulatedControl,
 };
 use technol_runtime::{
-    Block, Command, Gear, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
+    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
 };
 
 use crate::part_program;
@@ -69,12 +69,6 @@ impl Simulation {
         let control = plant.control();
         // Nor another group than those.
         let _ = runtime.set_m_groups(&control.m_groups);
-        let gears: Vec<Gear> = control
-            .gears
-            .iter()
-            .map(|gear| Gear { max_speed: gear.max_speed, max_output: gear.max_output })
-            .collect();
-        runtime.set_gears(&gears);
         runtime.set_conditional_stop(control.conditional_stop);
         let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
         around.prepare(&runtime.program().services);
@@ -136,6 +130,11 @@ impl Simulation {
         let bytes = data.backup.get(..PLC_MEM_BACKUP_LEN as usize).unwrap_or(&data.backup);
         // The system region holds the area, so this does not fail.
         let _ = self.runtime.write_memory(PLC_MEM_BACKUP, bytes);
+        // The machine file wins over the configuration; both were checked where they were read.
+        let own = &self.plant.control().m_groups;
+        let other = |(m, _): &&(u8, u8)| !own.iter().any(|(function, _)| function == m);
+        let groups: Vec<(u8, u8)> = data.m_groups.iter().filter(other).chain(own).copied().collect();
+        let _ = self.runtime.set_m_groups(&groups);
         self.control.set_data(data);
     }
 
@@ -252,6 +251,11 @@ impl Simulation {
                 return;
             }
             PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
+            PlantEvent::Panel { key, pressed } => {
+                // Its axis was checked with the machine.
+                let _ = self.control.motion_mut().panel_key(key, pressed);
+                return;
+            }
             PlantEvent::Start => Command::ContinueBlock,
             PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };
@@ -261,6 +265,10 @@ impl Simulation {
     fn hand_over_blocks(&mut self) {
         while self.runtime.waiting_blocks() < LOOK_AHEAD {
             let Some(block) = self.waiting.pop_front() else { return };
+            if block.ends_program() {
+                let next = self.waiting.iter().position(|block| block.has(BlockFlag::First));
+                self.waiting.drain(..next.unwrap_or(self.waiting.len()));
+            }
             self.runtime.command(Command::StartBlock(block));
         }
     }
