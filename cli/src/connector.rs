@@ -14,11 +14,13 @@ pub(crate) struct Targets {
     recording: Option<Recording>,
     /// Ways to targets, by address and file of the token: they find a serial adapter again.
     ways: Mutex<HashMap<(String, Option<PathBuf>), technol_target::Connector>>,
+    /// Where an embedded target keeps PLC_MEM_BACKUP; without it where the machine file says.
+    backup: Option<PathBuf>,
 }
 
 impl Targets {
-    pub(crate) fn new(recording: Option<Recording>) -> Targets {
-        Targets { recording, ways: Mutex::default() }
+    pub(crate) fn new(recording: Option<Recording>, backup: Option<PathBuf>) -> Targets {
+        Targets { recording, ways: Mutex::default(), backup }
     }
 
     fn reach(&self, text: &str, token_file: Option<&PathBuf>) -> Result<Box<dyn Link>, String> {
@@ -75,7 +77,7 @@ impl Connector for Targets {
                 let (data, keep) = crate::control_data::control_data(
                     loaded.as_ref(),
                     machine.as_ref().zip(file.as_deref()),
-                    None,
+                    self.backup.clone(),
                 )?;
                 let clock = match clock {
                     Clock::Real => technol_target::Clock::Real,

@@ -1,6 +1,7 @@
 //! `technol dap` and `technol lsp`: the two servers.
 
 use std::net::TcpListener;
+use std::path::Path;
 use std::sync::Arc;
 
 use technol_dap::{FileBuilder, Surroundings};
@@ -11,15 +12,17 @@ use crate::connector::Targets;
 use crate::exit::{self, Failure, Outcome};
 use crate::out::say;
 
-/// What every session of the adapter works with.
-pub(crate) fn surroundings(recording: Option<Recording>) -> Surroundings {
-    Surroundings { connector: Arc::new(Targets::new(recording)), builder: Arc::new(FileBuilder) }
+/// What every session of the adapter works with: a recording of the links, and a file in which embedded targets keep
+/// PLC_MEM_BACKUP.
+pub(crate) fn surroundings(recording: Option<Recording>, backup: Option<&Path>) -> Surroundings {
+    let connector = Targets::new(recording, backup.map(Path::to_owned));
+    Surroundings { connector: Arc::new(connector), builder: Arc::new(FileBuilder) }
 }
 
 /// Serves one editor on stdio, or one after another on TCP.
 pub(crate) fn dap(arguments: &DapArguments) -> Outcome {
     let recording = arguments.record.as_deref().map(Recording::create).transpose();
-    let surroundings = surroundings(recording.map_err(|e| Failure::usage(e.to_string()))?);
+    let surroundings = surroundings(recording.map_err(|e| Failure::usage(e.to_string()))?, None);
     let Some(listen) = &arguments.listen else {
         technol_dap::serve_stdio(&surroundings)
             .map_err(|e| Failure::usage(format!("the editor is gone: {e}")))?;

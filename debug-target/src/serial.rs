@@ -25,18 +25,31 @@ impl SerialLink {
     /// Opens a device, exclusively, with or without RTS/CTS flow control. What it has received before is thrown away.
     /// Its adapter is told to hand over bytes at once where the system lets that be told.
     pub fn open(device: &str, baud: u32, flow: bool) -> Result<SerialLink, serialport::Error> {
-        let port = serialport::new(device, baud)
-            .data_bits(DataBits::Eight)
-            .parity(Parity::None)
-            .stop_bits(StopBits::One)
-            .flow_control(if flow { FlowControl::Hardware } else { FlowControl::None })
-            .timeout(SEND_TIMEOUT)
-            .open()?;
-        port.clear(ClearBuffer::All)?;
+        let mut port = open_port(device, baud, SEND_TIMEOUT)?;
+        if flow {
+            port.set_flow_control(FlowControl::Hardware)?;
+        }
         // Without the permission for it the line works all the same; `technol devices` tells about it.
         let _ = crate::devices::make_quick(device);
         Ok(SerialLink { port, baud })
     }
+}
+
+/// Opens a device exclusively: 8 data bits, no parity, 1 stop bit, no flow control. What it has received before is thrown away.
+pub(crate) fn open_port(
+    device: &str,
+    baud: u32,
+    timeout: Duration,
+) -> Result<Box<dyn SerialPort>, serialport::Error> {
+    let port = serialport::new(device, baud)
+        .data_bits(DataBits::Eight)
+        .parity(Parity::None)
+        .stop_bits(StopBits::One)
+        .flow_control(FlowControl::None)
+        .timeout(timeout)
+        .open()?;
+    port.clear(ClearBuffer::All)?;
+    Ok(port)
 }
 
 impl Link for SerialLink {
