@@ -59,6 +59,10 @@ impl ByteLink for Wire {
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.link.receive(buffer, timeout)
     }
+
+    fn bytes_per_second(&self) -> Option<u32> {
+        self.link.bytes_per_second()
+    }
 }
 
 impl Connector for Targets {

@@ -46,6 +46,10 @@ pub trait ByteLink: Send {
     fn time(&self) -> Option<Duration> {
         None
     }
+    /// Bytes the line carries in a second, if that bounds what can be watched over it.
+    fn bytes_per_second(&self) -> Option<u32> {
+        None
+    }
 }
 
 /// Opens links.

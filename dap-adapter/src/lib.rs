@@ -13,6 +13,7 @@ mod errors;
 mod expression;
 mod file_builder;
 mod kept_image;
+mod live;
 mod mechanisms;
 mod memory;
 #[cfg(test)]

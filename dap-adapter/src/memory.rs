@@ -1,5 +1,7 @@
 //! Reading PLC memory in as few round trips as the target allows.
 
+use std::collections::BTreeMap;
+
 use technol_image::op::Addr;
 
 /// A gap this small, in bytes, is read along: naming a further piece costs as much.
@@ -60,6 +62,8 @@ impl ReadPlan {
 pub(crate) struct MemoryView {
     /// Ascending, not touching each other.
     spans: Vec<(Addr, Vec<u8>)>,
+    /// Known from elsewhere, by address and length.
+    known: BTreeMap<(Addr, u32), Vec<u8>>,
 }
 
 impl MemoryView {
@@ -77,8 +81,17 @@ impl MemoryView {
         true
     }
 
+    /// Adds a number that is known without reading.
+    pub(crate) fn know(&mut self, addr: Addr, len: u32, number: u64) {
+        let bytes = number.to_le_bytes();
+        self.known.insert((addr, len), bytes[..bytes.len().min(len as usize)].to_vec());
+    }
+
     /// The bytes at `addr`; empty when they were not read.
     pub(crate) fn bytes(&self, addr: Addr, len: u32) -> &[u8] {
+        if let Some(bytes) = self.known.get(&(addr, len)) {
+            return bytes;
+        }
         let at = self.spans.partition_point(|(start, _)| *start <= addr);
         let span = at.checked_sub(1).and_then(|n| self.spans.get(n));
         span.and_then(|(start, bytes)| {

@@ -12,7 +12,7 @@ use technol_wire::message::{
     BreakpointState, Event, Failure, Frame, Limits, PROTOCOL_VERSION, PlcState, Registers, Request, Response,
     SequenceState, Status, StopReason, Stopped,
 };
-use technol_wire::{TargetInput, TargetSession};
+use technol_wire::{MechanismSample, SampleSource, TargetInput, TargetSession, TraceSample};
 
 use crate::arguments::Policy;
 use crate::connection::{ByteLink, Connector, TargetSpec};
@@ -24,12 +24,13 @@ use crate::server::Surroundings;
 struct PipeEnd {
     to: Sender<Vec<u8>>,
     from: Receiver<Vec<u8>>,
+    line: Option<u32>,
 }
 
 fn pipe() -> (PipeEnd, PipeEnd) {
     let (a, from_a) = channel();
     let (b, from_b) = channel();
-    (PipeEnd { to: a, from: from_b }, PipeEnd { to: b, from: from_a })
+    (PipeEnd { to: a, from: from_b, line: None }, PipeEnd { to: b, from: from_a, line: None })
 }
 
 impl ByteLink for PipeEnd {
@@ -46,6 +47,10 @@ impl ByteLink for PipeEnd {
             Err(RecvTimeoutError::Timeout) => Ok(0),
             Err(RecvTimeoutError::Disconnected) => Err(io::Error::other("the other end is closed")),
         }
+    }
+
+    fn bytes_per_second(&self) -> Option<u32> {
+        self.line
     }
 }
 
@@ -66,6 +71,8 @@ pub(crate) struct State {
     pub(crate) cut: bool,
     /// `Stop` is acknowledged and then nothing happens.
     pub(crate) never_stops: bool,
+    /// Streams end at once.
+    pub(crate) deaf: bool,
     announced: Vec<u8>,
 }
 
@@ -76,6 +83,8 @@ pub(crate) struct Mock {
     /// What the adapter asked to be connected to.
     pub(crate) asked: Arc<Mutex<Vec<TargetSpec>>>,
     refusal: Option<String>,
+    /// What the line carries in a second.
+    line: Option<u32>,
 }
 
 impl Mock {
@@ -108,16 +117,23 @@ impl Mock {
                 events: Vec::new(),
                 cut: false,
                 never_stops: false,
+                deaf: false,
                 announced: Vec::new(),
             })),
             asked: Arc::default(),
             refusal: None,
+            line: None,
         }
     }
 
     /// One that cannot be reached.
     pub(crate) fn absent(reason: &str) -> Self {
         Mock { refusal: Some(reason.into()), ..Mock::new() }
+    }
+
+    /// One at the end of a line that carries so many bytes a second.
+    pub(crate) fn on_a_line(self, bytes_per_second: u32) -> Self {
+        Mock { line: Some(bytes_per_second), ..self }
     }
 
     /// The sample program is loaded and running already.
@@ -158,7 +174,8 @@ impl Connector for Mock {
         if let Some(refusal) = &self.refusal {
             return Err(refusal.clone());
         }
-        let (host, target) = pipe();
+        let (mut host, target) = pipe();
+        host.line = self.line;
         let state = Arc::clone(&self.state);
         std::thread::spawn(move || run(target, &state));
         Ok(Box::new(host))
@@ -196,6 +213,7 @@ fn run(mut link: PipeEnd, state: &Mutex<State>) {
     let started = Instant::now();
     let now = || started.elapsed().as_micros() as u64;
     let mut buffer = [0; 8192];
+    let mut sampled = 0;
     loop {
         session.poll(now());
         let bytes = session.transmit();
@@ -212,7 +230,18 @@ fn run(mut link: PipeEnd, state: &Mutex<State>) {
             match input {
                 TargetInput::Request { seq, request } => {
                     state.log.push(request.clone());
-                    let response = state.answer(request, limits);
+                    let response = match request {
+                        Request::Subscribe(subscription) => {
+                            let begun =
+                                session.streams().subscribe(&subscription, limits.max_payload, &*state);
+                            begun.map_or_else(Response::Failed, |()| Response::Done)
+                        }
+                        Request::Unsubscribe { id } => {
+                            session.streams().unsubscribe(id);
+                            Response::Done
+                        }
+                        other => state.answer(other, limits),
+                    };
                     session.respond(seq, &response);
                 }
                 TargetInput::Chunk(chunk) => {
@@ -222,8 +251,35 @@ fn run(mut link: PipeEnd, state: &Mutex<State>) {
                 TargetInput::HostLost => return,
             }
         }
+        let number = (now() / 20_000) as u32;
+        if state.deaf {
+            session.streams().clear();
+        }
+        if number > sampled {
+            sampled = number;
+            session.streams().sample(number, number + 7000, &*state);
+        }
         for event in std::mem::take(&mut state.events) {
             session.event(&event);
+        }
+    }
+}
+
+impl SampleSource for State {
+    fn memory(&self) -> &[u8] {
+        &self.memory
+    }
+
+    fn mechanism(&self, sequence: u16) -> MechanismSample {
+        let now = self.sequences[usize::from(sequence)];
+        MechanismSample { active: now.active, resume: now.resume, line: now.line, entered: 7000 }
+    }
+
+    fn traced(&self, pc: u32) -> TraceSample {
+        TraceSample {
+            ran: pc == sample::pc(20),
+            rlo: true,
+            dr: i64::from(self.memory[sample::COUNT as usize]),
         }
     }
 }
@@ -308,6 +364,8 @@ impl State {
             | Request::Clear
             | Request::SetFault { .. }
             | Request::Press { .. }
+            | Request::Subscribe(_)
+            | Request::Unsubscribe { .. }
             | Request::Goodbye { .. } => Response::Done,
         }
     }

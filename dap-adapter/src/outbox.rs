@@ -65,6 +65,11 @@ impl Outbox {
         self.send(message);
     }
 
+    /// Reports something that the protocol has no event for.
+    pub(crate) fn custom(&mut self, event: &str, body: Value) {
+        self.send(json!({ "type": "event", "event": event, "body": body }));
+    }
+
     fn send(&mut self, mut message: Value) {
         self.seq += 1;
         message["seq"] = json!(self.seq);

@@ -5,7 +5,7 @@ use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use technol_wire::message::{Event, Limits, Request, Response};
-use technol_wire::{HostEvent, HostSession, Ticket};
+use technol_wire::{HostEvent, HostSession, Sample, Ticket};
 
 use crate::connection::ByteLink;
 use crate::errors::RequestError;
@@ -25,6 +25,18 @@ pub(crate) enum TargetEvent {
     Lost(String),
 }
 
+/// Something a stream told.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Streamed {
+    /// A sample.
+    Sample(Sample),
+    /// Samples of this stream are missing.
+    Stale(u8),
+}
+
+/// Samples kept for a session that is busy with something else; the oldest go first.
+const STREAMED: usize = 1000;
+
 /// How far a download is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Transfer {
@@ -42,6 +54,7 @@ pub(crate) struct TargetLink {
     host: HostSession,
     started: Instant,
     events: VecDeque<TargetEvent>,
+    streamed: VecDeque<Streamed>,
     responses: HashMap<Ticket, Response>,
     /// Answers nobody waits for any more.
     forgotten: Vec<Ticket>,
@@ -56,6 +69,7 @@ impl TargetLink {
             host: HostSession::new(session_number()),
             started: Instant::now(),
             events: VecDeque::new(),
+            streamed: VecDeque::new(),
             responses: HashMap::new(),
             forgotten: Vec::new(),
             transfer: Transfer::default(),
@@ -77,6 +91,16 @@ impl TargetLink {
     /// The next thing the target said.
     pub(crate) fn next_event(&mut self) -> Option<TargetEvent> {
         self.events.pop_front()
+    }
+
+    /// What the streams told since the last call.
+    pub(crate) fn take_streamed(&mut self) -> VecDeque<Streamed> {
+        std::mem::take(&mut self.streamed)
+    }
+
+    /// Bytes the line carries in a second, if that is a bound.
+    pub(crate) fn bytes_per_second(&self) -> Option<u32> {
+        self.link.bytes_per_second()
     }
 
     /// What was said about a program that has ended does not concern the next one.
@@ -190,10 +214,19 @@ impl TargetLink {
                 HostEvent::DownloadProgress { done, total } => {
                     self.transfer = Transfer { done, total, complete: self.transfer.complete };
                 }
+                HostEvent::Sample(sample) => self.stream(Streamed::Sample(sample)),
+                HostEvent::Stale(id) => self.stream(Streamed::Stale(id)),
                 HostEvent::DownloadDone => self.transfer.complete = true,
                 HostEvent::LinkLost(reason) => self.lose(reason.to_string()),
             }
         }
+    }
+
+    fn stream(&mut self, streamed: Streamed) {
+        if self.streamed.len() == STREAMED {
+            self.streamed.pop_front();
+        }
+        self.streamed.push_back(streamed);
     }
 
     fn lose(&mut self, why: String) {

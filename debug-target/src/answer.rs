@@ -53,6 +53,8 @@ impl TargetCore {
             // The end of the link fills in what it knows about damage.
             Request::Echo { bytes } => Ok(Response::Echo { bytes, damaged: 0 }),
             Request::Files(request) => self.remote_files(&request, limits),
+            // Streams belong to the end of a link, which does not ask here.
+            Request::Subscribe(_) | Request::Unsubscribe { .. } => Err(Failure::Unsupported),
         };
         answer.unwrap_or_else(Response::Failed)
     }
@@ -82,7 +84,11 @@ impl TargetCore {
             limits,
             boot: self.boot(),
             status: self.status(),
-            features: feature::LOST_POLICY | feature::ECHO | feature::RESUMED_DOWNLOAD | files,
+            features: feature::LOST_POLICY
+                | feature::ECHO
+                | feature::RESUMED_DOWNLOAD
+                | feature::STREAMS
+                | files,
         }
     }
 

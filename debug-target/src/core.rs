@@ -7,8 +7,8 @@ use technol_image::container::{content_hash, hash_bytes};
 use technol_image::{ContentHash, Program};
 use technol_machine::{ControlData, MachineConfig};
 use technol_runtime::{Command, RateKind, Resume, RuntimeEvent, StopReason};
-use technol_wire::Arrived;
 use technol_wire::message::{Chunk, Event, LostPolicy, PlcState, Status};
+use technol_wire::{Arrived, Streams};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
@@ -16,6 +16,7 @@ use crate::event_log::EventLog;
 use crate::files::RemoteFolder;
 use crate::keep::Keep;
 use crate::lines::Lines;
+use crate::sampling::Sampling;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Wall time that virtual cycles may take before the link is looked at again.
@@ -99,6 +100,7 @@ pub struct TargetCore {
     /// The host was told that the program is held.
     held: bool,
     pub(crate) pacer: Pacer,
+    sampling: Sampling,
     occurred: Vec<RuntimeEvent>,
     pub(crate) events: Vec<Event>,
 }
@@ -130,6 +132,7 @@ impl TargetCore {
             session: None,
             held: false,
             pacer: Pacer::new(),
+            sampling: Sampling::default(),
             occurred: Vec::new(),
             events: Vec::new(),
         };
@@ -154,6 +157,7 @@ impl TargetCore {
         simulation.set_data(self.data.clone());
         self.simulation = Some(simulation);
         self.program = Some(hash);
+        self.sampling.restart();
         self.held = false;
         Ok(())
     }
@@ -205,7 +209,14 @@ impl TargetCore {
 
     /// Events since the last call.
     pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        let mut events = std::mem::take(&mut self.events);
+        // A step that has ended already: its stop says all, and comes a millisecond earlier over a serial line.
+        let is_stop = |event: &Event| matches!(event, Event::Stopped(_));
+        if let Some(stop) = events.iter().rposition(is_stop) {
+            let mut at = 0..;
+            events.retain(|event| at.next() > Some(stop) || *event != Event::Resumed);
+        }
+        events
     }
 
     /// A piece of the announced download.
@@ -277,17 +288,30 @@ impl TargetCore {
     /// Lets time pass up to `now`. Answers when there is something to do again: `None` when only a request can
     /// change anything. `crowded`: more events wait than the link can carry; virtual time then stands still.
     pub fn advance(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+        self.advance_watched(now, crowded, None)
+    }
+
+    /// The same, for a host whose streams are sampled.
+    pub fn advance_watched(
+        &mut self,
+        now: Instant,
+        crowded: bool,
+        mut streams: Option<&mut Streams>,
+    ) -> Option<Instant> {
+        if let Some(streams) = &mut streams {
+            streams.set_uneven(self.clock == Clock::Virtual);
+        }
         let running = self
             .simulation
             .as_ref()
             .is_some_and(|s| s.runtime().state().is_cycling() && s.runtime().stopped().is_none());
         if self.clock == Clock::Virtual && running {
-            return self.advance_virtual(now, crowded);
+            return self.advance_virtual(now, crowded, streams);
         }
         self.simulation.as_ref()?;
         if self.pacer.is_due(now) {
             let began = Instant::now();
-            self.run_cycle();
+            self.run_cycle(streams);
             let took = if self.clock == Clock::Told { Duration::ZERO } else { began.elapsed() };
             let behind = self.pacer.done(now, now + took);
             if behind && running && self.clock == Clock::Real {
@@ -298,10 +322,15 @@ impl TargetCore {
         Some(self.pacer.next(now))
     }
 
-    fn advance_virtual(&mut self, now: Instant, crowded: bool) -> Option<Instant> {
+    fn advance_virtual(
+        &mut self,
+        now: Instant,
+        crowded: bool,
+        mut streams: Option<&mut Streams>,
+    ) -> Option<Instant> {
         self.session?;
         while !crowded && self.events.is_empty() && now.elapsed() < VIRTUAL_SLICE {
-            self.run_cycle();
+            self.run_cycle(streams.as_deref_mut());
             if self.held || !self.status().plc.is_cycling() {
                 break;
             }
@@ -310,16 +339,23 @@ impl TargetCore {
     }
 
     /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
-    fn run_cycle(&mut self) {
+    fn run_cycle(&mut self, mut streams: Option<&mut Streams>) {
         let Some(simulation) = &mut self.simulation else { return };
         self.lines.exchange(simulation.control_mut());
+        self.sampling.follow(streams.as_deref(), simulation);
         if simulation.runtime().stopped().is_some() {
             for _ in 0..CYCLE.as_millis() {
                 simulation.tick(&mut self.occurred);
             }
         } else {
-            simulation.cycle(&mut self.occurred);
+            match streams.as_deref_mut().filter(|s| s.folds()) {
+                Some(streams) => {
+                    simulation.cycle_observed(&mut self.occurred, |memory| streams.observe(memory))
+                }
+                None => simulation.cycle(&mut self.occurred),
+            };
         }
+        self.sampling.sample(streams, simulation);
         self.keep_files();
         self.log();
         self.report();

@@ -24,6 +24,7 @@ mod machine_file;
 mod part_program;
 mod pipe;
 mod recording;
+mod sampling;
 mod serial;
 mod serve;
 mod simulation;

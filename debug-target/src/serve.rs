@@ -4,11 +4,12 @@ use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use technol_wire::message::{Limits, Request, Response};
+use technol_wire::message::{Failure, Limits, Request, Response};
 use technol_wire::{TargetInput, TargetSession, Timing};
 
 use crate::core::TargetCore;
 use crate::link::Link;
+use crate::sampling;
 
 /// Longest wait before the shutdown flag is looked at again.
 const LONGEST_WAIT: Duration = Duration::from_millis(50);
@@ -16,6 +17,8 @@ const LONGEST_WAIT: Duration = Duration::from_millis(50);
 const HELLO_TIMEOUT: Duration = Duration::from_secs(5);
 /// Events in the queue beyond which virtual time waits for the link.
 const CROWD: usize = 64;
+/// Tenths of a slow line that streams may take.
+const STREAM_SHARE: u32 = 6;
 
 /// Why serving ended.
 #[derive(Debug)]
@@ -40,7 +43,7 @@ fn run(end: &mut TargetEnd, link: &mut dyn Link, core: &mut TargetCore, shutdown
     let watched = link.timing().silence_us.is_some() && !link.outlives_host();
     let mut buffer = vec![0; 16 * 1024];
     while !shutdown.load(Ordering::Relaxed) {
-        let due = core.advance(Instant::now(), end.is_crowded());
+        let due = end.advance(Instant::now(), core);
         let (bytes, wait) = end.turn(Instant::now(), due, core);
         let sent = if bytes.is_empty() { Ok(()) } else { link.send(&bytes) };
         match sent.and_then(|()| link.receive(&mut buffer, wait)) {
@@ -70,13 +73,22 @@ impl TargetEnd {
     /// One end of a new link; `bytes_per_second`: what a slow line carries.
     #[must_use]
     pub fn new(limits: Limits, timing: Timing, bytes_per_second: Option<u32>) -> TargetEnd {
+        let mut session = TargetSession::with_timing(limits, timing);
+        session.streams().set_rate(bytes_per_second.map(|rate| rate / 10 * STREAM_SHARE));
         TargetEnd {
-            session: TargetSession::with_timing(limits, timing),
+            session,
             limits,
             began: None,
             host_lost: false,
             allowance: Allowance::new(bytes_per_second),
         }
+    }
+
+    /// Lets time pass at the core, and takes the samples that the host has asked for; answers when there is something
+    /// to do again, see [`TargetCore::advance`].
+    pub fn advance(&mut self, now: Instant, core: &mut TargetCore) -> Option<Instant> {
+        let crowded = self.is_crowded();
+        core.advance_watched(now, crowded, Some(self.session.streams()))
     }
 
     /// More events wait than the link carries: virtual time should wait for them.
@@ -103,7 +115,7 @@ impl TargetEnd {
             match input {
                 TargetInput::Request { seq, request } => {
                     let announces = matches!(request, Request::Download { .. });
-                    let mut response = core.answer(request, self.limits);
+                    let mut response = self.answer(request, core);
                     if let Response::Echo { damaged, .. } = &mut response {
                         *damaged = self.session.damaged_frames();
                     }
@@ -121,6 +133,31 @@ impl TargetEnd {
         }
     }
 
+    /// Streams belong to this end of the link, all else to the core.
+    fn answer(&mut self, request: Request, core: &mut TargetCore) -> Response {
+        let loads = matches!(request, Request::Commit);
+        let streams = self.session.streams();
+        let response = match request {
+            Request::Subscribe(subscription) => {
+                let simulation = core.simulation().ok_or(Failure::NoProgram);
+                let max_payload = self.limits.max_payload;
+                let begun =
+                    simulation.and_then(|s| sampling::subscribe(streams, &subscription, max_payload, s));
+                begun.map_or_else(Response::Failed, |()| Response::Done)
+            }
+            Request::Unsubscribe { id } => {
+                streams.unsubscribe(id);
+                Response::Done
+            }
+            other => core.answer(other, self.limits),
+        };
+        if loads && response == Response::Done {
+            // Their addresses are those of the program before.
+            self.session.streams().clear();
+        }
+        response
+    }
+
     /// The bytes to send now, and how long to wait for others at most. `due`: when the core has to do something
     /// again, as [`TargetCore::advance`] said.
     pub fn turn(&mut self, now: Instant, due: Option<Instant>, core: &mut TargetCore) -> (Vec<u8>, Duration) {
@@ -134,7 +171,8 @@ impl TargetEnd {
         let bytes = if budget > 0 { self.session.transmit_within(budget) } else { Vec::new() };
         self.allowance.spend(bytes.len());
         let mut wait = LONGEST_WAIT.min(self.allowance.recovery());
-        if let Some(timer) = timer {
+        // What cannot be sent yet is no reason to look again at once.
+        if let Some(timer) = timer.filter(|_| budget > 0) {
             wait = wait.min(Duration::from_micros(timer.saturating_sub(micros)));
         }
         if let Some(due) = due {

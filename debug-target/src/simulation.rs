@@ -218,10 +218,21 @@ impl Simulation {
     /// Milliseconds up to the end of the 20 ms cycle in progress, or until the program is held or no longer
     /// runs. Directly after a start this is MODULE_INIT and the whole of cycle 0.
     pub fn cycle(&mut self, events: &mut Vec<RuntimeEvent>) -> TickOutcome {
+        self.cycle_observed(events, |_| ())
+    }
+
+    /// The same; somebody looks at the memory after each millisecond.
+    pub fn cycle_observed(
+        &mut self,
+        events: &mut Vec<RuntimeEvent>,
+        mut observe: impl FnMut(&[u8]),
+    ) -> TickOutcome {
         loop {
             let before = self.runtime.millis();
             let starting = self.starting;
-            if self.tick(events) == TickOutcome::Stopped {
+            let outcome = self.tick(events);
+            observe(self.runtime.memory());
+            if outcome == TickOutcome::Stopped {
                 return TickOutcome::Stopped;
             }
             let now = self.runtime.millis();

@@ -23,6 +23,9 @@ pub(crate) struct Target {
 const TARGETS: &[Target] = &[
     Target { name: "front_end", len: 4096, kept: "../analysis/tests/corpus" },
     Target { name: "image", len: 512, kept: "corpus/image" },
+    Target { name: "link_frames", len: 1024, kept: "corpus/link_frames" },
+    Target { name: "link_messages", len: 1024, kept: "corpus/link_messages" },
+    Target { name: "link_target", len: 2048, kept: "corpus/link_target" },
     Target { name: "machine", len: 4096, kept: "corpus/machine" },
     Target { name: "scenario", len: 4096, kept: "corpus/scenario" },
 ];
@@ -95,7 +98,7 @@ mod tests {
         assert_eq!(chosen(&["5"]), Ok(("front_end", 5)));
         assert_eq!(chosen(&["image"]), Ok(("image", 30)));
         assert_eq!(chosen(&["scenario", "2"]), Ok(("scenario", 2)));
-        let unknown = "imag is no fuzz target; there is: front_end, image, machine, scenario";
+        let unknown = "imag is no fuzz target; there is: front_end, image, link_frames, link_messages, link_target, machine, scenario";
         assert_eq!(chosen(&["imag"]), Err(unknown.to_owned()));
     }
 

@@ -36,8 +36,16 @@ const BENCHMARKS: &[&str] = &[
 const SAME_AGAIN: &[&str] =
     &["test", "--release", "--package=technol-tests", "--test=controller", "same_again", "--", "--nocapture"];
 
+/// Frames through the simulated cable for each kind of fault, and a long session of an editor over it.
+const MANY_FRAMES: &[&str] = &["test", "--release", "--package=technol-wire", "--test=link", "million"];
+const LONG_SESSION: &[&str] = &["test", "--release", "--package=technol-tests", "--test=link", "session"];
+
 fn bench() -> Result<(), String> {
     run::cargo("benchmarks", BENCHMARKS)?;
+    for (what, arguments) in [("a million frames", MANY_FRAMES), ("a long session", LONG_SESSION)] {
+        let mut link = run::command(arguments);
+        run::step(&format!("{what} over a bad cable"), link.env("TECHNOL_FRAMES", "1000000"))?;
+    }
     let mut lathe = run::command(SAME_AGAIN);
     run::step("a million cycles of the lathe", lathe.env("TECHNOL_CYCLES", "1000000"))
 }

@@ -83,7 +83,7 @@ impl Session {
         Ok((value, row.type_name()))
     }
 
-    fn named(&self, order: Option<u8>, expression: &str) -> Result<Named, RequestError> {
+    pub(super) fn named(&self, order: Option<u8>, expression: &str) -> Result<Named, RequestError> {
         let debuggee = self.debuggee()?;
         expression::resolve(&debuggee.debug, order, expression).map_err(RequestError::Expression)
     }

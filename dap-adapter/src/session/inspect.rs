@@ -123,22 +123,35 @@ impl Session {
 
     fn facts(&mut self, rows: &[Row]) -> Result<Facts, RequestError> {
         let mut plan = ReadPlan::default();
+        let mut known = Vec::new();
         let (mut registers, mut sequences) = (false, false);
         for row in rows {
             match row.shown {
-                Shown::Bit { addr, .. } => plan.want(addr, 1),
-                Shown::Cell { addr, width } => plan.want(addr, width.bytes()),
+                Shown::Bit { addr, .. } => self.want(addr, 1, &mut plan, &mut known),
+                Shown::Cell { addr, width } => self.want(addr, width.bytes(), &mut plan, &mut known),
                 Shown::Text { addr, len } => plan.want(addr, len),
                 Shown::Area { addr, len } => plan.want(addr, len.min(PREVIEW)),
                 Shown::Register(_) | Shown::Pushed(_) => registers = true,
                 Shown::Mechanism(_) | Shown::Detail(..) => sequences = true,
             }
         }
+        let mut memory = self.read(plan)?;
+        for (addr, len, number) in known {
+            memory.know(addr, len, number);
+        }
         Ok(Facts {
-            memory: self.read(plan)?,
+            memory,
             registers: if registers { Some(self.registers()?) } else { None },
             sequences: if sequences { self.sequences()? } else { Vec::new() },
         })
+    }
+
+    /// What a stream tells need not be read.
+    fn want(&mut self, addr: Addr, len: u32, plan: &mut ReadPlan, known: &mut Vec<(Addr, u32, u64)>) {
+        match self.glance(addr, len) {
+            Some(number) => known.push((addr, len, number)),
+            None => plan.want(addr, len),
+        }
     }
 
     fn read(&mut self, plan: ReadPlan) -> Result<MemoryView, RequestError> {
@@ -211,7 +224,9 @@ impl Session {
 
     fn write(&mut self, request: Ask) -> Result<(), RequestError> {
         let (target, _) = self.parts()?;
-        target.ask(request).map(|_| ())
+        let result = target.ask(request).map(|_| ());
+        self.watching.live.written();
+        result
     }
 
     fn change_registers(&mut self, change: RegisterChange) -> Result<Registers, RequestError> {
@@ -255,6 +270,7 @@ impl Session {
         if let Some(stop) = &mut debuggee.stop {
             stop.sequences = None;
         }
+        self.watching.live.written();
         Ok(())
     }
 }

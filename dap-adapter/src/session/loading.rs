@@ -103,6 +103,7 @@ impl Session {
         };
         let plc = self.provide(&project, status, download)?;
         self.debuggee = Some(debuggee(project, plc, how));
+        self.watch_again();
         Ok(())
     }
 

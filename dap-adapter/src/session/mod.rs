@@ -18,6 +18,7 @@ mod stack;
 mod target_events;
 #[cfg(test)]
 mod tests;
+mod watching;
 
 use std::collections::{HashSet, VecDeque};
 use std::sync::Arc;
@@ -48,6 +49,7 @@ use breakpoints::Breakpoints;
 pub(crate) use phase::COMMANDS;
 use phase::Phase;
 use reconnect::Again;
+use watching::Watching;
 
 /// Longest wait for the target before the client is looked at again.
 const TURN: Duration = Duration::from_millis(4);
@@ -132,6 +134,7 @@ pub(crate) struct Session {
     again: Option<Again>,
     debuggee: Option<Debuggee>,
     breakpoints: Breakpoints,
+    watching: Watching,
     break_on_fault: bool,
     threads_announced: HashSet<i64>,
     timers: Vec<(Instant, Timer)>,
@@ -162,6 +165,7 @@ impl Session {
             again: None,
             debuggee: None,
             breakpoints: Breakpoints::default(),
+            watching: Watching::default(),
             break_on_fault: true,
             threads_announced: HashSet::new(),
             timers: Vec::new(),
@@ -176,6 +180,7 @@ impl Session {
         while !self.finished && !self.out.is_gone() {
             self.take_target_events();
             self.try_again();
+            self.watch();
             self.run_timers();
             match self.next_input() {
                 Some(ClientInput::Incoming(incoming)) => self.take(incoming),

@@ -96,6 +96,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     optional("restart", RUNNING | STOPPED, "supportsRestartRequest", Session::restart),
     optional("terminate", INITIALIZED | LOADED | ENDED, "supportsTerminateRequest", Session::terminate),
     basic("disconnect", ANY, Session::disconnect),
+    basic("technol/subscribe", LOADED, Session::subscribe),
+    basic("technol/trace", LOADED, Session::trace),
 ];
 
 /// Whether the request is possible now.
@@ -169,6 +171,8 @@ x----- initialize
 ---xx- restart
 -xxxxx terminate
 xxxxxx disconnect
+--xxx- technol/subscribe
+--xxx- technol/trace
 ";
         assert_eq!(table, expected);
     }

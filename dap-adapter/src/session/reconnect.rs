@@ -41,6 +41,7 @@ impl Session {
             return false;
         }
         self.tell_loss(why);
+        self.watching.lost();
         let (now, why) = (Instant::now(), why.to_owned());
         self.again = Some(Again { until: now + self.patience(), next: now + PAUSE, attempt: None, why });
         true
@@ -152,6 +153,7 @@ impl Session {
         if self.phase != Phase::Configuring {
             self.arm_breakpoints()?;
         }
+        self.watching.resume();
         Ok(())
     }
 

@@ -75,6 +75,9 @@ impl Session {
 
     /// State of all sequences; asked once per stop.
     pub(super) fn sequences(&mut self) -> Result<Vec<SequenceState>, RequestError> {
+        if let Some(told) = self.glance_at_mechanisms() {
+            return Ok(told);
+        }
         let (target, debuggee) = self.parts()?;
         if let Some(Stop { sequences: Some(known), .. }) = &debuggee.stop {
             return Ok(known.clone());

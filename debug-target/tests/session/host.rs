@@ -7,7 +7,7 @@ use technol_image::Program;
 use technol_image::container::{encode_program, hash_bytes};
 use technol_target::Link;
 use technol_wire::message::{Event, Request, Response, Status, Stopped};
-use technol_wire::{HostEvent, HostSession, Ticket};
+use technol_wire::{HostEvent, HostSession, Sample, Ticket};
 
 /// Nothing in these tests takes this long.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -19,13 +19,22 @@ pub(crate) struct Host {
     responses: Vec<(Ticket, Response)>,
     events: VecDeque<Event>,
     downloaded: bool,
+    pub(crate) samples: Vec<Sample>,
 }
 
 impl Host {
     pub(crate) fn new(link: Box<dyn Link>, session: u32) -> Host {
         let session = HostSession::with_timing(session, link.timing());
         let (responses, events) = (Vec::new(), VecDeque::new());
-        Host { link, session, began: Instant::now(), responses, events, downloaded: false }
+        Host {
+            link,
+            session,
+            began: Instant::now(),
+            responses,
+            events,
+            downloaded: false,
+            samples: Vec::new(),
+        }
     }
 
     fn now(&self) -> u64 {
@@ -46,7 +55,8 @@ impl Host {
             match event {
                 HostEvent::Response(ticket, response) => self.responses.push((ticket, response)),
                 HostEvent::Event(event) => self.events.push_back(event),
-                HostEvent::DownloadProgress { .. } => {}
+                HostEvent::Sample(sample) => self.samples.push(sample),
+                HostEvent::DownloadProgress { .. } | HostEvent::Stale(_) => {}
                 HostEvent::DownloadDone => self.downloaded = true,
                 HostEvent::LinkLost(reason) => panic!("link lost: {reason}"),
             }
@@ -135,6 +145,12 @@ impl Host {
             Event::Stopped(stopped) => Some(stopped),
             _ => None,
         })
+    }
+
+    /// Waits for a sample.
+    #[track_caller]
+    pub(crate) fn sample<T>(&mut self, what: &str, mut look: impl FnMut(&Sample) -> Option<T>) -> T {
+        self.until(what, |host| host.samples.iter().find_map(&mut look))
     }
 
     pub(crate) fn forget_events(&mut self) {

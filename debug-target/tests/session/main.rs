@@ -17,8 +17,10 @@ use technol_image::container::content_hash;
 use technol_image::op::Op;
 use technol_machine::MachineConfig;
 use technol_target::{Address, Clock, ConnectError, TargetOptions, connect};
+use technol_wire::Sample;
 use technol_wire::message::{
-    BreakpointState, Event, Failure, FaultKind, PlcState, Registers, Request, Response, Resume, StopReason,
+    BreakpointState, Event, Failure, FaultKind, Item, ItemKind, Mode, PlcState, Registers, Request, Response,
+    Resume, StopReason, Subject, Subscription,
 };
 
 /// MODULE_MAIN in the numbering of the protocol.
@@ -75,6 +77,7 @@ fn session(place: &mut dyn Place) {
     break_points(&mut host);
     message(&mut host);
     machine(&mut host);
+    streams(&mut host);
     fault(&mut host);
     pause_and_registers(&mut host);
 
@@ -118,6 +121,51 @@ fn break_points(host: &mut Host) {
     }
     host.tell(Request::Resume(Resume::Continue));
     assert!(!host.status().held);
+}
+
+/// COUNT counts cycles, so each sample proves itself.
+fn streams(host: &mut Host) {
+    let item = |addr, kind, mode| Item { addr, kind, mode };
+    let items = vec![
+        item(COUNT.addr, ItemKind::Unsigned(2), Mode::Value),
+        item(COUNT.addr, ItemKind::Unsigned(2), Mode::Edges),
+    ];
+    host.tell(Request::Subscribe(Subscription { id: 1, period: 1, subject: Subject::Variables(items) }));
+    let trace = Subject::Trace { pcs: vec![LOAD, ADD], wide: false };
+    host.tell(Request::Subscribe(Subscription { id: 2, period: 2, subject: trace }));
+    host.sample("ten samples", |s| (s.id == 1 && s.values[2] >= 10).then_some(()));
+    host.sample("a trace", |s| (s.id == 2 && s.values[3] == 1).then_some(()));
+    let difference = |s: &Sample| u64::from(s.cycle).wrapping_sub(s.values[0]) & 0xFFFF;
+    let first = host.samples.iter().find(|s| s.id == 1).map(difference);
+    for sample in &host.samples {
+        let own = if sample.id == 1 {
+            difference(sample)
+        } else {
+            u64::from(sample.cycle).wrapping_sub(sample.values[5])
+        };
+        assert_eq!(Some(own & 0xFFFF), first, "{sample:?}");
+        if sample.id == 2 {
+            assert_eq!(sample.values[2] + 1, sample.values[5], "DR behind LOAD and behind ADD");
+        }
+    }
+    // A stop is shown as well, and what is written then.
+    host.tell(Request::Pause);
+    host.stopped();
+    write_word(host, COUNT.addr, 4711);
+    host.sample("the value written", |s| (s.id == 1 && s.values[0] == 4711).then_some(()));
+    write_word(host, COUNT.addr, 0);
+    host.tell(Request::Resume(Resume::Continue));
+
+    let subject = Subject::Trace { pcs: vec![8], wide: false };
+    let refused = host.ask(Request::Subscribe(Subscription { id: 3, period: 1, subject }));
+    assert_eq!(refused, Response::Failed(Failure::NotFound("statement at operation 8".into())));
+    let subject = Subject::Mechanisms(vec![0]);
+    let refused = host.ask(Request::Subscribe(Subscription { id: 3, period: 1, subject }));
+    assert_eq!(refused, Response::Failed(Failure::NotFound("sequence 0".into())));
+    for id in [1, 2] {
+        host.tell(Request::Unsubscribe { id });
+    }
+    host.forget_events();
 }
 
 fn message(host: &mut Host) {
@@ -212,6 +260,14 @@ fn a_session_over_tcp() {
 #[test]
 fn a_session_over_a_serial_line() {
     session(&mut places::serial::Serial::new(options(Clock::Real)));
+}
+
+/// In real time, one bit in ten thousand wrong both ways: each session loses some dozens of frames.
+#[cfg(unix)]
+#[test]
+fn a_session_over_a_noisy_serial_line() {
+    let noise = technol_link_model::Faults::bit_errors(1e-4);
+    session(&mut places::serial::Serial::noisy(options(Clock::Real), noise));
 }
 
 #[test]

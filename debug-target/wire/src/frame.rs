@@ -19,6 +19,8 @@ pub mod kind {
     pub const CHUNK: u8 = 0x03;
     /// Host to target: are you there?
     pub const PING: u8 = 0x04;
+    /// Stream class, host to target: streams that are listened to, and what is missing.
+    pub const LISTENING: u8 = 0x05;
     /// Before a session, host to target: the answer to a challenge, see PROTOCOL.md.
     pub const PROOF: u8 = 0x06;
     /// Control, target to host: a part of the response to the request with this `seq`.
@@ -29,7 +31,7 @@ pub mod kind {
     pub const CHUNK_ACK: u8 = 0x83;
     /// Target to host: I am here. Carries the `seq` of the ping.
     pub const PONG: u8 = 0x84;
-    /// Stream class (watches, traces), reserved.
+    /// Stream class, target to host: a sample. Carries the low 8 bits of its number.
     pub const STREAM: u8 = 0x85;
     /// Before a session, target to host: prove that you know the token.
     pub const CHALLENGE: u8 = 0x86;

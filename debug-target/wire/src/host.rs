@@ -6,9 +6,12 @@ use core::fmt;
 
 use crate::bulk::Download;
 use crate::frame::{self, Frame, FrameDecoder, MAX_PAYLOAD, kind};
-use crate::message::{Chunk, ChunkAck, Event, Failure, Limits, PROTOCOL_VERSION, Request, Response};
+use crate::message::{
+    Chunk, ChunkAck, Event, Failure, Limits, PROTOCOL_VERSION, Request, Response, Subscription,
+};
 use crate::parts::{self, Assembly, InOrder};
 use crate::silence::Silence;
+use crate::stream::{Freshness, Listener, Sample};
 use crate::timing::Timing;
 
 /// Payload of requests before the target has told its limits.
@@ -38,6 +41,10 @@ pub enum HostEvent {
     },
     /// Every byte has arrived; now [`Request::Commit`].
     DownloadDone,
+    /// A sample of a stream, each number once.
+    Sample(Sample),
+    /// The values of the stream with this number may be out of date, until its next sample comes.
+    Stale(u8),
     /// The end of this session; nothing comes after it, open requests stay unanswered.
     LinkLost(LossReason),
 }
@@ -86,6 +93,9 @@ struct InFlight {
     tries: u32,
     is_hello: bool,
     is_download: bool,
+    subscription: Option<Subscription>,
+    /// Streams end with the program they were about.
+    replaces_program: bool,
 }
 
 impl InFlight {
@@ -127,6 +137,7 @@ pub struct HostSession {
     last_sent: Option<u64>,
     last_ping: Option<u64>,
     ping_due: bool,
+    streams: Listener,
     lost: bool,
 }
 
@@ -169,6 +180,7 @@ impl HostSession {
             last_sent: None,
             last_ping: None,
             ping_due: false,
+            streams: Listener::default(),
             lost: false,
         }
     }
@@ -185,6 +197,10 @@ impl HostSession {
         if matches!(request, Request::Hello { .. }) && self.limits.is_none() {
             return self.hello();
         }
+        // What still comes of an old stream is not taken for the new one, and an ended one is not missed.
+        if let Request::Subscribe(Subscription { id, .. }) | Request::Unsubscribe { id } = request {
+            self.streams.close(id);
+        }
         let ticket = Ticket(self.next_ticket);
         self.next_ticket += 1;
         let request = match request {
@@ -200,6 +216,12 @@ impl HostSession {
     pub fn download(&mut self, bytes: Vec<u8>) {
         self.download = None;
         self.bulk = Some(bytes);
+    }
+
+    /// How far the values of a stream can be relied on; `None`: there is none of that number.
+    #[must_use]
+    pub fn freshness(&self, id: u8) -> Option<Freshness> {
+        self.streams.freshness(id)
     }
 
     /// What the target told in its answer to Hello.
@@ -264,6 +286,11 @@ impl HostSession {
             kind::CHALLENGE if self.limits.is_none() => {
                 self.lose(LossReason::TokenNeeded);
             }
+            kind::STREAM => {
+                let told = self.streams.take(frame.seq, &frame.payload, self.now);
+                let told = told.map(|t| t.map_or_else(HostEvent::Stale, HostEvent::Sample));
+                self.out.extend(told);
+            }
             _ => {}
         }
     }
@@ -297,6 +324,14 @@ impl HostSession {
             } else {
                 self.bulk = None;
             }
+        }
+        if done.replaces_program && response == Response::Done {
+            self.streams.clear();
+        }
+        if response == Response::Done
+            && let Some(subscription) = done.subscription
+        {
+            self.streams.open(subscription, self.now);
         }
         self.out.push_back(HostEvent::Response(done.ticket, response));
     }
@@ -369,6 +404,7 @@ impl HostSession {
             Some(Err(_)) => return self.lose(LossReason::NoAnswer),
             None => {}
         }
+        self.look_at_streams();
         let ping_us = self.timing.ping_us;
         let quiet = |at: Option<u64>| at.is_none_or(|at| now >= at + ping_us);
         self.ping_due = self.limits.is_some()
@@ -377,12 +413,24 @@ impl HostSession {
         Some(deadline)
     }
 
+    fn look_at_streams(&mut self) {
+        let now = self.now;
+        while let Some(id) = self.streams.look(now) {
+            self.out.push_back(HostEvent::Stale(id));
+        }
+        // A target that ended a stream by itself is asked for it again; nobody waits for that answer.
+        while let Some(subscription) = self.streams.ended(now) {
+            self.request(Request::Subscribe(subscription));
+        }
+    }
+
     fn lose(&mut self, reason: LossReason) -> Option<u64> {
         self.lost = true;
         self.in_flight = None;
         self.download = None;
         self.bulk = None;
         self.queue.clear();
+        self.streams.clear();
         self.out.push_back(HostEvent::LinkLost(reason));
         None
     }
@@ -440,6 +488,10 @@ impl HostSession {
             frame::encode(kind::PING, 0, &[], out);
             return true;
         }
+        if let Some(payload) = self.streams.say(self.now) {
+            frame::encode(kind::LISTENING, 0, &payload, out);
+            return true;
+        }
         self.start_download();
         if let Some(download) = &mut self.download {
             let tag = download.tag;
@@ -477,6 +529,8 @@ impl HostSession {
                 tries: 0,
                 is_hello: ticket == self.hello(),
                 is_download: matches!(request, Request::Download { .. }),
+                replaces_program: matches!(request, Request::Commit),
+                subscription: if let Request::Subscribe(s) = request { Some(s) } else { None },
             });
             return;
         }

@@ -22,11 +22,13 @@ pub mod message;
 mod parts;
 mod remote_files;
 mod silence;
+mod stream;
 mod target;
 mod timing;
 
 pub use arrived::Arrived;
 pub use frame::{Frame, FrameDecoder, FrameError};
 pub use host::{HostEvent, HostSession, LossReason, Ticket};
+pub use stream::{Freshness, Layout, MechanismSample, Sample, SampleSource, Streams, TraceSample};
 pub use target::{TargetInput, TargetSession};
 pub use timing::Timing;

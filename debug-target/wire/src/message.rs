@@ -14,7 +14,7 @@ pub use crate::remote_files::{Entry, FileAnswer, FileRequest};
 pub const PROTOCOL_VERSION: u16 = 1;
 
 /// Number of [`Request`] variants of this version; higher variant numbers are of a later version.
-pub const KNOWN_REQUESTS: u32 = 24;
+pub const KNOWN_REQUESTS: u32 = 26;
 
 /// What a target can do beyond the first version of this protocol: bits of `features` in [`Response::Hello`]. A host
 /// asks for such a thing only when its bit is set, and passes over bits that it does not know.
@@ -27,6 +27,8 @@ pub mod feature {
     pub const FILES: u32 = 1 << 2;
     /// A download that was cut goes on where it was, when it is announced again.
     pub const RESUMED_DOWNLOAD: u32 = 1 << 3;
+    /// [`Request::Subscribe`](super::Request::Subscribe).
+    pub const STREAMS: u32 = 1 << 4;
 }
 
 /// First 16 bytes of the SHA-256 of the encoded program.
@@ -127,6 +129,14 @@ pub enum Request {
     Goodbye {
         /// Stop the PLC.
         stop: bool,
+    },
+    /// Begins a stream of samples, in place of the one with the same number. It ends with the session, with the
+    /// program, and when nobody listens any more.
+    Subscribe(Subscription),
+    /// Ends a stream; one that is not there is no error.
+    Unsubscribe {
+        /// Its number.
+        id: u8,
     },
     /// What to do with a held program when the host is gone without a Goodbye. Holds until another one is told, or
     /// a Goodbye.
@@ -491,4 +501,72 @@ pub struct ChunkAck {
     pub complete: u32,
     /// Further pieces (offset, length) that have arrived out of order.
     pub islands: Vec<(u32, u32)>,
+}
+
+/// What a stream samples, and how often.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Subscription {
+    /// Number of the stream, below [`MOST_STREAMS`], chosen by the host.
+    pub id: u8,
+    /// A sample every so many 20 ms cycles; at least 1.
+    pub period: u16,
+    /// What is sampled.
+    pub subject: Subject,
+}
+
+/// Number of streams a target has.
+pub const MOST_STREAMS: u8 = 8;
+
+/// What a stream samples. The order is that of the values in its samples, see [`crate::Layout`].
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Subject {
+    /// Pieces of memory.
+    Variables(Vec<Item>),
+    /// Mechanisms and block modules, by sequence number: active, resume point, line, cycle the state was entered in.
+    Mechanisms(Vec<u16>),
+    /// The registers behind lines: whether the line ran in the last cycle, RLO and DR behind it.
+    Trace {
+        /// First operation of each line.
+        pcs: Vec<u32>,
+        /// All 64 bits of DR, else the low 32.
+        wide: bool,
+    },
+}
+
+/// A piece of memory in a stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Item {
+    /// Address.
+    pub addr: u32,
+    /// What lies there.
+    pub kind: ItemKind,
+    /// What is told about it.
+    pub mode: Mode,
+}
+
+/// Form of a piece of memory; numbers are little endian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ItemKind {
+    /// One bit of the byte, 0 to 7.
+    Bit(u8),
+    /// A number without sign of 1, 2, 4 or 8 bytes.
+    Unsigned(u8),
+    /// A number with sign of 1, 2, 4 or 8 bytes.
+    Signed(u8),
+    /// A real number of 8 bytes.
+    Real,
+}
+
+/// What is told about a piece of memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Mode {
+    /// Its value when a sample is due.
+    Value,
+    /// The same, and a change makes a sample due at the end of its cycle, whatever the period.
+    OnChange,
+    /// Its value, its least and its greatest value since the sample before; looked at every millisecond.
+    Extremes,
+    /// Its value, and how often it has risen and fallen since the stream began (modulo 65536); looked at
+    /// every millisecond.
+    Edges,
 }

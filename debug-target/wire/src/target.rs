@@ -12,6 +12,7 @@ use crate::message::{
 };
 use crate::parts::{self, Assembly};
 use crate::silence::Silence;
+use crate::stream::Streams;
 use crate::timing::Timing;
 
 /// Answers that are kept to be given again.
@@ -72,6 +73,7 @@ pub struct TargetSession {
     replies: VecDeque<(u8, u8, Vec<u8>)>,
     chunk_ack: bool,
     pong: Option<u8>,
+    streams: Streams,
     inputs: VecDeque<TargetInput>,
     silence: Silence,
     last_sent: Option<u64>,
@@ -102,6 +104,7 @@ impl TargetSession {
             replies: VecDeque::new(),
             chunk_ack: false,
             pong: None,
+            streams: Streams::default(),
             inputs: VecDeque::new(),
             silence: Silence::new(timing.silence_us, timing.ping_us),
             last_sent: None,
@@ -118,6 +121,12 @@ impl TargetSession {
     #[must_use]
     pub fn is_open(&self) -> bool {
         self.session.as_ref().is_some_and(|s| s.open)
+    }
+
+    /// The streams of the session. Whoever acts on [`Request::Subscribe`] begins them here, and gives them samples.
+    /// They end by themselves with the session.
+    pub fn streams(&mut self) -> &mut Streams {
+        &mut self.streams
     }
 
     /// Frames of events that wait to be sent or acknowledged.
@@ -164,6 +173,10 @@ impl TargetSession {
             kind::REQUEST => self.take_request(frame),
             kind::EVENT_ACK if self.is_open() => self.events.acknowledged(frame.seq, self.now),
             kind::CHUNK => self.take_chunk(frame),
+            kind::LISTENING if self.is_open() => {
+                self.streams.poll(self.now);
+                self.streams.listened(&frame.payload);
+            }
             // Without a session there is no answer, so that a host notices that the target started anew.
             kind::PING if self.is_open() => self.pong = Some(frame.seq),
             _ => return,
@@ -328,6 +341,7 @@ impl TargetSession {
         self.replies.clear();
         self.chunk_ack = false;
         self.pong = None;
+        self.streams.clear();
     }
 
     /// Lets time pass. Answers when to call again at the latest; `None`: when bytes arrive.
@@ -342,7 +356,8 @@ impl TargetSession {
         }
         let resend = self.events.poll(self.now, self.timing.resend_us);
         let silence = self.silence.deadline(self.now);
-        resend.into_iter().chain(silence).min()
+        let sample = self.streams.poll(self.now);
+        resend.into_iter().chain(silence).chain(sample).min()
     }
 
     /// The bytes to send now.
@@ -385,6 +400,13 @@ impl TargetSession {
             frame::encode(kind, seq, &payload, out);
             return true;
         }
+        if let Some(seq) = self.pong.take() {
+            frame::encode(kind::PONG, seq, &[], out);
+            return true;
+        }
+        if self.is_open() && self.streams.send(self.now, out) {
+            return true;
+        }
         if core::mem::take(&mut self.chunk_ack)
             && let Some(reception) = self.session.as_ref().and_then(|s| s.reception.as_ref())
         {
@@ -392,10 +414,6 @@ impl TargetSession {
                 ChunkAck { complete: reception.arrived.complete(), islands: reception.arrived.islands() };
             let payload = postcard::to_allocvec(&ack).unwrap_or_default();
             frame::encode(kind::CHUNK_ACK, reception.tag, &payload, out);
-            return true;
-        }
-        if let Some(seq) = self.pong.take() {
-            frame::encode(kind::PONG, seq, &[], out);
             return true;
         }
         false

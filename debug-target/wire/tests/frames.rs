@@ -36,7 +36,7 @@ proptest! {
     /// Whole frames with any content, in an open session.
     #[test]
     fn any_frames_are_survived(
-        frames in prop::collection::vec((0_u8..6, any::<bool>(), any::<u8>(), prop::collection::vec(any::<u8>(), 0..40)), 0..60),
+        frames in prop::collection::vec((0_u8..7, any::<bool>(), any::<u8>(), prop::collection::vec(any::<u8>(), 0..40)), 0..60),
     ) {
         let mut host = HostSession::new(0);
         let mut target = TargetSession::new(LIMITS);

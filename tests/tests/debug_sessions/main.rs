@@ -14,3 +14,4 @@ mod child;
 mod console;
 mod session;
 mod trouble;
+mod watching;

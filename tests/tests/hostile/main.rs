@@ -2,6 +2,7 @@
 //! `cargo xtask fuzz` goes on from here with the same properties.
 
 mod image;
+mod link;
 mod machine;
 mod text;
 
@@ -63,7 +64,11 @@ fn damaged_files_are_refused_or_run_without_panic() {
             };
             let (place, value) = at();
             let place = 1 + place % (file.len() - 1);
-            if seed % 4 == 0 { damaged.truncate(place) } else { damaged[place] = value }
+            if seed % 4 == 0 {
+                damaged.truncate(place)
+            } else {
+                damaged[place] = value
+            }
             let same = damaged == file;
             assert_eq!(image::check(&damaged), same, "every damage is noticed");
         }
@@ -88,5 +93,25 @@ fn everything_the_fuzzer_kept_holds() {
     }
     for input in corpus("machine") {
         machine::check(&String::from_utf8_lossy(&input));
+    }
+}
+
+#[test]
+fn any_bytes_on_a_line_are_survived_by_both_ends() {
+    for input in corpus("link_frames").into_iter().chain(corpus("link_messages")).chain(corpus("link_target"))
+    {
+        link::frames(&input);
+        link::messages(&input);
+        link::target(&input);
+    }
+    let mut numbers = Numbers(11);
+    for n in 0..400 {
+        let len = usize::from(numbers.next().unwrap_or_default());
+        // Small numbers are what lengths and variants are made of.
+        let input: Vec<u8> =
+            numbers.by_ref().take(len).map(|b| if n % 2 == 0 { b } else { b % 32 }).collect();
+        link::frames(&input);
+        link::messages(&input);
+        link::target(&input);
     }
 }

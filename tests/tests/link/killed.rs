@@ -72,9 +72,10 @@ fn happens(victim: Victim, phase: Phase, policy: LostPolicy) {
         Victim::Host => {}
     }
     if victim == Victim::Host {
-        // It says nothing any more.
-        while world.now < at + SECOND {
-            world.receive(&mut [0; 4096], at + SECOND - world.now);
+        // It says nothing any more; what it has handed over to its serial port still goes out.
+        let until = at + SECOND + world.cable.to_target.backlog(at) * 87;
+        while world.now < until {
+            world.receive(&mut [0; 4096], until - world.now);
         }
     } else {
         probe.run(&mut world, SECOND);

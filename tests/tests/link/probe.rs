@@ -76,7 +76,12 @@ impl Probe {
     pub(crate) fn until(&mut self, world: &mut World, what: &str, mut is_so: impl FnMut(&Probe) -> bool) {
         let deadline = world.now + 60 * SECOND;
         while !is_so(self) {
-            assert!(world.now < deadline && self.lost.is_none(), "no {what}: {:?} {:?}", self.lost, self.events);
+            assert!(
+                world.now < deadline && self.lost.is_none(),
+                "no {what}: {:?} {:?}",
+                self.lost,
+                self.events
+            );
             self.pump(world, deadline);
         }
     }

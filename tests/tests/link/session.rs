@@ -129,7 +129,8 @@ fn an_editor_hears_of_a_cut_within_a_second_and_finds_its_stop_again() {
         world.cable.set_cut(true);
         world.now
     };
-    let lost = editor.client.event_where(mark, "output", |b| b["category"] == "important").expect("it is told");
+    let lost =
+        editor.client.event_where(mark, "output", |b| b["category"] == "important").expect("it is told");
     let text = lost["output"].as_str().expect("a text");
     assert!(text.starts_with("the link to the target is lost") && text.contains("stays so"), "{text}");
     // No time passes without a link, but for the tries to open one.

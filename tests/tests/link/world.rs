@@ -86,7 +86,7 @@ impl World {
         if !bytes.is_empty() {
             self.end.receive(now, &bytes, &mut self.core);
         }
-        let due = self.core.advance(now, self.end.is_crowded());
+        let due = self.end.advance(now, &mut self.core);
         let (bytes, wait) = self.end.turn(now, due, &mut self.core);
         note(&mut self.ears[2], &mut self.sent, self.now, false, &bytes);
         self.cable.to_host.send(self.now, &bytes);

@@ -5,6 +5,7 @@ mod inspecting;
 mod lifecycle;
 mod robustness;
 mod stops;
+mod watching;
 
 use serde_json::{Value, json};
 use tempfile::TempDir;

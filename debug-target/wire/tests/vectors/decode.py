@@ -145,7 +145,11 @@ SEQUENCE = fields(sequence=UINT, active=FLAG, resume=UINT, line=UINT, since=UINT
 BREAKPOINT = words("Set NotAStatement InFast InCont TooMany")
 RESUME = variants(
     ("Continue", None), ("Into", None), ("Over", fields(sequence=optional(UINT))), ("Out", None))
-FILE_REQUEST = variants(
+FILE_ITEM_KIND = variants(("Bit", U8), ("Unsigned", U8), ("Signed", U8), ("Real", None))
+ITEM = fields(addr=UINT, kind=ITEM_KIND, mode=words("Value OnChange Extremes Edges"))
+SUBJECT = variants(
+    ("Variables", many(ITEM)), ("Mechanisms", many(UINT)), ("Trace", fields(pcs=many(UINT), wide=FLAG)))
+REQUEST = variants(
     ("List", fields(path=TEXT, **{"from": UINT})),
     ("Read", fields(path=TEXT, offset=UINT, len=UINT)),
     ("Sum", fields(path=TEXT)),
@@ -183,6 +187,8 @@ REQUEST = variants(
     ("SetFault", fields(name=TEXT, on=FLAG)),
     ("Press", fields(key=TEXT, down=FLAG)),
     ("Goodbye", fields(stop=FLAG)),
+    ("Subscribe", fields(id=U8, period=UINT, subject=SUBJECT)),
+    ("Unsubscribe", fields(id=U8)),
     ("OnLinkLost", words("RunOn StayStopped StopPlc")),
     ("Echo", fields(bytes=OCTETS)),
     ("Files", FILE_REQUEST),

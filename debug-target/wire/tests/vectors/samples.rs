@@ -6,6 +6,7 @@ use technol_wire::message::{
     Frame, Limits, LostPolicy, PROTOCOL_VERSION, PlcState, Registers, Request, Response, Resume,
     SequenceState, Status, StopReason, Stopped, feature,
 };
+use technol_wire::message::{Item, ItemKind, Mode, Subject, Subscription};
 
 const HASH: [u8; 16] = [0, 1, 127, 128, 255, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
 
@@ -70,6 +71,27 @@ pub(crate) fn requests() -> Vec<Request> {
         Request::SetFault { name: path("zpětné hlášení"), on: true },
         Request::Press { key: path("start"), down: false },
         Request::Goodbye { stop: true },
+        Request::Subscribe(Subscription {
+            id: 3,
+            period: 300,
+            subject: Subject::Variables(
+                [
+                    (ItemKind::Bit(7), Mode::Value),
+                    (ItemKind::Unsigned(1), Mode::OnChange),
+                    (ItemKind::Signed(4), Mode::Extremes),
+                    (ItemKind::Real, Mode::Edges),
+                ]
+                .map(|(kind, mode)| Item { addr: 70_000, kind, mode })
+                .to_vec(),
+            ),
+        }),
+        Request::Subscribe(Subscription { id: 0, period: 1, subject: Subject::Mechanisms(vec![0, 200]) }),
+        Request::Subscribe(Subscription {
+            id: 7,
+            period: 1,
+            subject: Subject::Trace { pcs: vec![1, 300], wide: true },
+        }),
+        Request::Unsubscribe { id: 3 },
         Request::Echo { bytes: vec![0, 1, 2] },
     ];
     requests

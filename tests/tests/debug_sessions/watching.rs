@@ -1,0 +1,73 @@
+//! Watching a program that runs, on every kind of target.
+
+use serde_json::{Value, json};
+use technol_dap::client::Mark;
+
+use crate::child::{Adapter, Site};
+use crate::lathe::Lathe;
+
+fn number(value: &Value) -> u64 {
+    let text = value.as_str().expect("a value");
+    text.split(' ').next().and_then(|n| n.parse().ok()).unwrap_or_else(|| panic!("{text}"))
+}
+
+/// CYCLES counts the cycles of the lathe, so each sample proves itself.
+fn watch(site: &Site, lathe: &Lathe) {
+    let mut adapter = Adapter::start();
+    let client = &mut adapter.client;
+    client.start(site.launch(lathe), &[]).expect("the program starts");
+    let watches = json!([{ "expression": "CYCLES" }, { "expression": "SP_CONTROL" }, { "expression": "P1IN.SP_STAND" }]);
+    let arguments = json!({ "period": 20, "mechanisms": true, "watches": watches });
+    let answer = client.request("technol/subscribe", arguments).expect("a subscription");
+    assert_eq!((&answer["period"], &answer["note"]), (&json!(20), &Value::Null), "{answer}");
+    let counted = |b: &Value| b["watches"][0]["stale"] == false && b["watches"][1]["stale"] == false;
+    let first = client.event_where(Mark::START, "technol/watch", counted).expect("values");
+    let mark = client.mark();
+    let later = client
+        .event_where(mark, "technol/watch", |b| {
+            counted(b) && b["cycle"].as_u64() > first["cycle"].as_u64().map(|c| c + 20)
+        })
+        .expect("more values");
+    let ahead =
+        |body: &Value| number(&body["watches"][0]["value"]) as i64 - body["cycle"].as_i64().expect("a cycle");
+    assert_eq!(ahead(&first), ahead(&later), "value and cycle belong together: {first} {later}");
+    assert_ne!(later["watches"][1]["value"], "…", "{later}");
+    let names: Vec<&str> =
+        later["mechanisms"].as_array().expect("all").iter().filter_map(|m| m["name"].as_str()).collect();
+    assert!(names.contains(&"SP_CONTROL") && names.contains(&"TURRET_CHANGE"), "{names:?}");
+
+    // What is looked at follows without being asked for.
+    let value = client.evaluate("CYCLES", "watch").expect("a value");
+    assert!(number(&json!(value)) >= number(&later["watches"][0]["value"]));
+
+    // The line that counts, behind it DR.
+    let (path, line) = (lathe.path("main.plc"), lathe.line("main.plc", "LOD  CYCLES"));
+    let lines = json!({ "lines": [{ "path": path, "line": line }] });
+    let answer = client.request("technol/trace", lines).expect("a trace");
+    assert_eq!(answer["lines"][0]["error"], Value::Null, "{answer}");
+    let ran = |b: &Value| b["lines"][0]["ran"] == true;
+    let body = client.event_where(Mark::START, "technol/trace", ran).expect("registers");
+    assert!(body["lines"][0]["value"].as_str().expect("text").starts_with("RLO "), "{body}");
+
+    let body = client.go("pause", 1).expect("a pause");
+    assert_eq!(body["reason"], "pause");
+    client.disconnect(json!({})).expect("the adapter closes the connection");
+}
+
+#[test]
+fn a_running_program_is_watched_on_the_embedded_target() {
+    watch(&Site::embedded(), &Lathe::copy());
+}
+
+#[test]
+fn a_running_program_is_watched_over_tcp() {
+    let lathe = Lathe::copy();
+    watch(&Site::tcp(&lathe), &lathe);
+}
+
+#[test]
+fn a_running_program_is_watched_over_a_serial_line() {
+    let lathe = Lathe::copy();
+    let Some(site) = Site::serial(&lathe) else { return };
+    watch(&site, &lathe);
+}
