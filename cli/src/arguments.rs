@@ -31,6 +31,12 @@ pub(crate) enum Command {
     Dap(DapArguments),
     /// Be a language server on stdio
     Lsp(LspArguments),
+    /// List the serial devices of this computer
+    Devices(DevicesArguments),
+    /// Test the link to a target, or tell what was recorded on one
+    Link(LinkArguments),
+    /// Work with the files that a target offers
+    Files(FilesArguments),
     /// Convert the sources of a project to another encoding
     Fmt(FmtArguments),
     /// Explain an instruction, a symbol of the control or a diagnostic code
@@ -110,6 +116,9 @@ pub(crate) struct RunArguments {
     /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
     #[arg(long, value_name = "FILE")]
     pub(crate) backup: Option<PathBuf>,
+    /// Append messages, faults and states of the PLC to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
     /// Switch a fault of the machine on before a cycle (default: before cycle 0)
     #[arg(long, value_name = "NAME[@CYCLE]")]
     pub(crate) fault: Vec<String>,
@@ -156,7 +165,7 @@ pub(crate) struct TargetArguments {
     #[arg(long, value_name = "tcp:HOST:PORT", required_unless_present = "serial", conflicts_with = "serial")]
     pub(crate) listen: Option<String>,
     /// Serve a debugger on a serial line
-    #[arg(long, value_name = "DEVICE[@BAUD]")]
+    #[arg(long, value_name = "DEVICE[@BAUD][,rtscts]")]
     pub(crate) serial: Option<String>,
     /// The machine behind the program
     #[arg(long, value_name = "machine.toml")]
@@ -167,12 +176,129 @@ pub(crate) struct TargetArguments {
     /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
     #[arg(long, value_name = "FILE")]
     pub(crate) backup: Option<PathBuf>,
+    /// Append messages, faults and states of the PLC to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
     /// Clock of the program
     #[arg(long, value_enum, default_value = "real")]
     pub(crate) clock: ClockName,
     /// Start the loaded program at once
     #[arg(long, requires = "image")]
     pub(crate) start: bool,
+    /// Folder whose files debuggers may list, get, put, copy, move and delete [default: none]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) files: Option<PathBuf>,
+    /// Let in only who knows the token in this file; needed to listen for other computers [default: TECHNOL_TOKEN]
+    #[arg(long, value_name = "FILE", requires = "listen")]
+    pub(crate) token_file: Option<PathBuf>,
+    /// Record what goes over the serial line or connection; `technol link log` reads it
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Option<PathBuf>,
+}
+
+/// `technol devices`
+#[derive(Debug, Args)]
+pub(crate) struct DevicesArguments {
+    /// For people, or a JSON array
+    #[arg(long, value_enum, default_value = "human")]
+    pub(crate) format: Format,
+}
+
+/// `technol link`
+#[derive(Debug, Args)]
+pub(crate) struct LinkArguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: LinkCommand,
+}
+
+/// What to do with a link.
+#[derive(Debug, Subcommand)]
+pub(crate) enum LinkCommand {
+    /// Measure round trip, throughput and errors, and say whether the cable is fit (exit code 1: it is not)
+    Test(LinkTestArguments),
+    /// Tell in words what was recorded with `--record`
+    Log {
+        /// The recording
+        file: PathBuf,
+    },
+}
+
+/// `technol link test`
+#[derive(Debug, Args)]
+pub(crate) struct LinkTestArguments {
+    /// Where the target is
+    #[arg(long, value_name = "ADDRESS")]
+    pub(crate) target: String,
+    /// File with the token of a target on the network [default: TECHNOL_TOKEN]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) token_file: Option<PathBuf>,
+    /// How long to send
+    #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub(crate) seconds: u32,
+}
+
+/// `technol files`
+#[derive(Debug, Args)]
+pub(crate) struct FilesArguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: FilesCommand,
+    /// Where the target is
+    #[arg(long, value_name = "ADDRESS", global = true, default_value = "tcp:127.0.0.1:5700")]
+    pub(crate) target: String,
+    /// File with the token of a target on the network [default: TECHNOL_TOKEN]
+    #[arg(long, value_name = "FILE", global = true)]
+    pub(crate) token_file: Option<PathBuf>,
+}
+
+/// What to do with files. Paths at the target are relative to the folder it offers, with `/`.
+#[derive(Debug, Subcommand)]
+pub(crate) enum FilesCommand {
+    /// List a folder
+    Ls {
+        /// The folder
+        #[arg(default_value = "")]
+        path: String,
+    },
+    /// Fetch a file
+    Get {
+        /// The file at the target
+        from: String,
+        /// Where to put it [default: its name, here]
+        to: Option<PathBuf>,
+    },
+    /// Send a file, in place of an old one
+    Put {
+        /// The file here
+        from: PathBuf,
+        /// Its path at the target; with `/` at the end: the folder [default: its name]
+        to: Option<String>,
+    },
+    /// Copy a file at the target
+    Cp {
+        /// The file
+        from: String,
+        /// The new one
+        to: String,
+    },
+    /// Move a file or folder at the target
+    Mv {
+        /// What
+        from: String,
+        /// Where to
+        to: String,
+    },
+    /// Delete a file or an empty folder
+    Rm {
+        /// What
+        path: String,
+    },
+    /// Make a folder
+    Mkdir {
+        /// The folder
+        path: String,
+    },
 }
 
 /// Clock of a target.
@@ -190,6 +316,9 @@ pub(crate) struct DapArguments {
     /// Listen for editors instead of using stdio
     #[arg(long, value_name = "tcp:HOST:PORT")]
     pub(crate) listen: Option<String>,
+    /// Record what goes over the links to targets; `technol link log` reads it
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Option<PathBuf>,
 }
 
 /// `technol lsp`
@@ -253,4 +382,7 @@ pub(crate) struct ExplainArguments {
 pub(crate) struct DemoArguments {
     /// Another copy of the lathe example [default: the one this binary was built with]
     pub(crate) path: Option<PathBuf>,
+    /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) backup: Option<PathBuf>,
 }

@@ -1,13 +1,48 @@
 //! Brings the debug adapter to its targets: in this process, over TCP, over a serial line.
 
+use std::collections::HashMap;
 use std::io;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use technol_dap::{ByteLink, Clock, Connector, Disk, TargetSpec};
-use technol_target::{Address, Link, TargetHandle, TargetOptions};
+use technol_target::{Address, Link, Recording, TargetHandle, TargetOptions};
 
 /// Opens the links of technol-target for the adapter.
-pub(crate) struct Targets;
+pub(crate) struct Targets {
+    recording: Option<Recording>,
+    /// Ways to targets, by address and file of the token: they find a serial adapter again.
+    ways: Mutex<HashMap<(String, Option<PathBuf>), technol_target::Connector>>,
+    /// Where an embedded target keeps PLC_MEM_BACKUP; without it where the machine file says.
+    backup: Option<PathBuf>,
+}
+
+impl Targets {
+    pub(crate) fn new(recording: Option<Recording>, backup: Option<PathBuf>) -> Targets {
+        Targets { recording, ways: Mutex::default(), backup }
+    }
+
+    fn reach(&self, text: &str, token_file: Option<&PathBuf>) -> Result<Box<dyn Link>, String> {
+        let key = (text.to_owned(), token_file.cloned());
+        let known = self.ways.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+        let mut way = match known {
+            Some(way) => way,
+            None => {
+                let address: Address = text.parse().map_err(|e| format!("{e}"))?;
+                let file = token_file.map(PathBuf::as_path);
+                let token = crate::remote::token(file, Some(&address)).map_err(|e| e.message)?;
+                technol_target::Connector::new(address, token)
+            }
+        };
+        let link = way.connect().map_err(|e| e.to_string())?;
+        self.ways.lock().unwrap_or_else(PoisonError::into_inner).insert(key, way);
+        Ok(match &self.recording {
+            Some(recording) => Box::new(recording.of(link, false)),
+            None => link,
+        })
+    }
+}
 
 /// A link, and the embedded target at its other end when there is one.
 struct Wire {
@@ -46,7 +81,7 @@ impl Connector for Targets {
                 let (data, keep) = crate::control_data::control_data(
                     loaded.as_ref(),
                     machine.as_ref().zip(file.as_deref()),
-                    None,
+                    self.backup.clone(),
                 )?;
                 let clock = match clock {
                     Clock::Real => technol_target::Clock::Real,
@@ -56,9 +91,8 @@ impl Connector for Targets {
                 let (link, handle) = technol_target::spawn_embedded(options).map_err(|e| e.to_string())?;
                 Ok(Box::new(Wire { link: Box::new(link), _target: Some(handle) }))
             }
-            TargetSpec::Address(text) => {
-                let address: Address = text.parse().map_err(|e| format!("{e}"))?;
-                let link = technol_target::connect(&address).map_err(|e| e.to_string())?;
+            TargetSpec::Address { address, token_file } => {
+                let link = self.reach(address, token_file.as_ref())?;
                 Ok(Box::new(Wire { link, _target: None }))
             }
         }

@@ -1,24 +1,28 @@
 //! `technol dap` and `technol lsp`: the two servers.
 
 use std::net::TcpListener;
+use std::path::Path;
 use std::sync::Arc;
 
 use technol_dap::{FileBuilder, Surroundings};
-use technol_target::Address;
+use technol_target::{Address, Recording};
 
 use crate::arguments::DapArguments;
 use crate::connector::Targets;
 use crate::exit::{self, Failure, Outcome};
 use crate::out::say;
 
-/// What every session of the adapter works with.
-pub(crate) fn surroundings() -> Surroundings {
-    Surroundings { connector: Arc::new(Targets), builder: Arc::new(FileBuilder) }
+/// What every session of the adapter works with: a recording of the links, and a file in which embedded targets keep
+/// PLC_MEM_BACKUP.
+pub(crate) fn surroundings(recording: Option<Recording>, backup: Option<&Path>) -> Surroundings {
+    let connector = Targets::new(recording, backup.map(Path::to_owned));
+    Surroundings { connector: Arc::new(connector), builder: Arc::new(FileBuilder) }
 }
 
 /// Serves one editor on stdio, or one after another on TCP.
 pub(crate) fn dap(arguments: &DapArguments) -> Outcome {
-    let surroundings = surroundings();
+    let recording = arguments.record.as_deref().map(Recording::create).transpose();
+    let surroundings = surroundings(recording.map_err(|e| Failure::usage(e.to_string()))?, None);
     let Some(listen) = &arguments.listen else {
         technol_dap::serve_stdio(&surroundings)
             .map_err(|e| Failure::usage(format!("the editor is gone: {e}")))?;

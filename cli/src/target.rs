@@ -2,15 +2,22 @@
 
 use std::io::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use technol_target::{Address, Clock, Notice, TargetCore, TargetOptions};
+use signal_hook::consts::TERM_SIGNALS;
+use signal_hook::flag;
+
+use technol_target::{
+    Address, Clock, Link, Notice, Recording, RemoteFolder, SerialPlace, TargetCore, TargetOptions,
+};
 
 use crate::arguments::{ClockName, TargetArguments};
 use crate::exit::{self, Failure, Outcome};
 use crate::files::Project;
 
-/// Serves debuggers until the process is ended.
+/// Serves debuggers until the process is ended. Ended by a signal it is switched off as a control would be: MODULE_DONE, then
+/// what is kept is saved.
 pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
     let program = match &arguments.image {
         Some(path) => Some(read_image(path)?.program),
@@ -31,10 +38,21 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         ClockName::Real => Clock::Real,
         ClockName::Virtual => Clock::Virtual,
     };
-    let options = TargetOptions { clock, machine, data, keep, program, start: arguments.start };
+    let log = crate::control_data::event_log(arguments.log.as_deref(), clock == Clock::Real)?;
+    let files = arguments.files.as_deref().map(RemoteFolder::new).transpose();
+    let files = files.map_err(|e| Failure::usage(e.to_string()))?;
+    let start = arguments.start;
+    let options = TargetOptions { clock, machine, data, keep, log, program, start, files };
+    let recording = arguments.record.as_deref().map(Recording::create).transpose();
+    let recording = recording.map_err(|e| Failure::usage(e.to_string()))?;
+    let mut record = |link: Box<dyn Link>| -> Box<dyn Link> {
+        match &recording {
+            Some(recording) => Box::new(recording.of(link, true)),
+            None => link,
+        }
+    };
     let mut core = TargetCore::new(options).map_err(|e| Failure::usage(e.to_string()))?;
-    // Ended by the signal that ends the process; what was saved until then is in its files.
-    let shutdown = AtomicBool::new(false);
+    let shutdown = ended_by_signal()?;
     let mut tell = |notice: Notice| {
         let mut out = std::io::stdout().lock();
         // Whoever started the target may have closed its output.
@@ -42,16 +60,39 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
     };
     let ended = match (&arguments.serial, &arguments.listen) {
         (Some(serial), _) => {
-            let (device, baud) = serial_device(serial)?;
-            technol_target::serve_serial(&device, baud, &mut core, &shutdown, &mut tell)
+            let place = serial_device(serial)?;
+            technol_target::serve_serial(place, &mut record, &mut core, &shutdown, &mut tell)
         }
         (None, listen) => {
             let (host, port) = crate::dap::tcp_address(listen.as_deref().unwrap_or_default())?;
-            technol_target::listen_tcp(&host, port, &mut core, &shutdown, &mut tell)
+            let address = Address::Tcp { host: host.clone(), port };
+            let token = crate::remote::token(arguments.token_file.as_deref(), Some(&address))?;
+            technol_target::listen_tcp(
+                &host,
+                port,
+                token.as_ref(),
+                &mut record,
+                &mut core,
+                &shutdown,
+                &mut tell,
+            )
         }
     };
     ended.map_err(|e| Failure::usage(e.to_string()))?;
+    core.shut_down().map_err(Failure::usage)?;
     Ok(exit::OK)
+}
+
+/// A flag that Ctrl-C and the signal that ends a process set; the second time they end it at once.
+fn ended_by_signal() -> Result<Arc<AtomicBool>, Failure> {
+    let ended = Arc::new(AtomicBool::new(false));
+    for signal in TERM_SIGNALS {
+        // In this order: a flag that is set already makes the first of them end the process.
+        flag::register_conditional_shutdown(*signal, 128 + signal, Arc::clone(&ended))
+            .and_then(|_| flag::register(*signal, Arc::clone(&ended)))
+            .map_err(|e| Failure::usage(format!("cannot wait for signals: {e}")))?;
+    }
+    Ok(ended)
 }
 
 /// Reads an image file.
@@ -62,11 +103,11 @@ pub(crate) fn read_image(path: &Path) -> Result<technol_image::Image, Failure> {
         .map_err(|e| Failure::usage(format!("{}: {e} (`technol build` writes images)", path.display())))
 }
 
-/// `DEVICE[@BAUD]`, with or without `serial:`.
-fn serial_device(text: &str) -> Result<(String, u32), Failure> {
+/// `DEVICE[@BAUD][,rtscts]`, with or without `serial:`.
+fn serial_device(text: &str) -> Result<SerialPlace, Failure> {
     let address = format!("serial:{}", text.strip_prefix("serial:").unwrap_or(text));
     match address.parse::<Address>() {
-        Ok(Address::Serial { device, baud }) => Ok((device, baud)),
+        Ok(Address::Serial { device, baud, flow }) => Ok(SerialPlace::new(&device, baud, flow)),
         Ok(_) => Err(Failure::usage(format!("`{text}` is not a serial device"))),
         Err(error) => Err(Failure::usage(error.to_string())),
     }
@@ -78,10 +119,11 @@ mod tests {
 
     #[test]
     fn a_serial_device_may_name_its_baud_rate() {
-        let read = |text: &str| serial_device(text).map_err(|e| e.message);
-        assert_eq!(read("/dev/ttyUSB0").unwrap(), ("/dev/ttyUSB0".to_owned(), 115_200));
-        assert_eq!(read("COM3@9600").unwrap(), ("COM3".to_owned(), 9600));
-        assert_eq!(read("serial:/dev/ttyS1@57600").unwrap(), ("/dev/ttyS1".to_owned(), 57600));
+        let read =
+            |text: &str| serial_device(text).map(|place| place.address().to_string()).map_err(|e| e.message);
+        assert_eq!(read("/dev/ttyUSB0").unwrap(), "serial:/dev/ttyUSB0@115200");
+        assert_eq!(read("COM3@9600,rtscts").unwrap(), "serial:COM3@9600,rtscts");
+        assert_eq!(read("serial:/dev/ttyS1@57600").unwrap(), "serial:/dev/ttyS1@57600");
         assert!(read("/dev/ttyS1@fast").unwrap_err().contains("serial"));
     }
 }

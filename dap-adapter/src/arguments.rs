@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use technol_wire::message::LostPolicy;
+
 use crate::connection::Clock;
 
 /// When to do something that may be unnecessary.
@@ -17,6 +19,52 @@ pub enum Policy {
     Always,
     /// Not at all: what is there is used, or it is an error.
     Never,
+}
+
+/// What the target does with a stopped program when the link is lost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) enum OnLinkLost {
+    /// It runs on.
+    #[default]
+    RunOn,
+    /// It stays stopped until a debugger is back.
+    StayStopped,
+    /// The PLC is stopped through MODULE_DONE.
+    StopPlc,
+}
+
+impl From<OnLinkLost> for LostPolicy {
+    fn from(policy: OnLinkLost) -> LostPolicy {
+        match policy {
+            OnLinkLost::RunOn => LostPolicy::RunOn,
+            OnLinkLost::StayStopped => LostPolicy::StayStopped,
+            OnLinkLost::StopPlc => LostPolicy::StopPlc,
+        }
+    }
+}
+
+/// What both `launch` and `attach` say about the link to a target somewhere else.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct LinkArguments {
+    #[serde(default)]
+    pub(crate) on_link_lost: OnLinkLost,
+    /// For so many seconds a lost link is tried again; 0: the session ends with the link.
+    #[serde(default = "half_a_minute")]
+    pub(crate) reconnect: u32,
+    /// File with the token.
+    pub(crate) token_file: Option<PathBuf>,
+}
+
+impl Default for LinkArguments {
+    fn default() -> LinkArguments {
+        LinkArguments { on_link_lost: OnLinkLost::RunOn, reconnect: half_a_minute(), token_file: None }
+    }
+}
+
+fn half_a_minute() -> u32 {
+    30
 }
 
 /// `launch`: build, load and start a program.
@@ -38,6 +86,8 @@ pub(crate) struct LaunchArguments {
     pub(crate) build: Policy,
     #[serde(default)]
     pub(crate) download: Policy,
+    #[serde(flatten)]
+    pub(crate) link: LinkArguments,
 }
 
 /// `attach`: join a running program.
@@ -50,6 +100,8 @@ pub(crate) struct AttachArguments {
     pub(crate) target: Option<String>,
     #[serde(default)]
     pub(crate) build: Policy,
+    #[serde(flatten)]
+    pub(crate) link: LinkArguments,
 }
 
 #[cfg(test)]
@@ -71,8 +123,24 @@ mod tests {
                 clock: Clock::Real,
                 build: Policy::IfStale,
                 download: Policy::IfStale,
+                link: LinkArguments::default(),
             }
         );
+    }
+
+    #[test]
+    fn both_ways_to_begin_say_what_becomes_of_a_lost_link() {
+        let arguments = json!({
+            "program": "/p", "onLinkLost": "stayStopped", "reconnect": 5, "tokenFile": "/t",
+        });
+        let link = LinkArguments {
+            on_link_lost: OnLinkLost::StayStopped,
+            reconnect: 5,
+            token_file: Some("/t".into()),
+        };
+        let launch: LaunchArguments = serde_json::from_value(arguments.clone()).unwrap();
+        let attach: AttachArguments = serde_json::from_value(arguments).unwrap();
+        assert_eq!((launch.link, attach.link), (link.clone(), link));
     }
 
     #[test]
@@ -86,6 +154,10 @@ mod tests {
             (
                 json!({"program": "/p", "build": "sometimes"}),
                 "unknown variant `sometimes`, expected one of `ifStale`, `always`, `never`",
+            ),
+            (
+                json!({"program": "/p", "onLinkLost": "panic"}),
+                "unknown variant `panic`, expected one of `runOn`, `stayStopped`, `stopPlc`",
             ),
         ] {
             let error = serde_json::from_value::<LaunchArguments>(arguments).unwrap_err();

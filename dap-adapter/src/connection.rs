@@ -16,8 +16,13 @@ pub enum TargetSpec {
         /// Which time it runs in.
         clock: Clock,
     },
-    /// `tcp:HOST:PORT` or `serial:DEVICE[@BAUD]`, as written by the user.
-    Address(String),
+    /// A target somewhere else.
+    Address {
+        /// `tcp:HOST:PORT` or `serial:DEVICE[@BAUD]`, as written by the user.
+        address: String,
+        /// File with the token that lets in at a target on the network.
+        token_file: Option<PathBuf>,
+    },
 }
 
 /// Time of the embedded target.
@@ -37,6 +42,10 @@ pub trait ByteLink: Send {
     fn send(&mut self, bytes: &[u8]) -> io::Result<()>;
     /// Receives some bytes; 0 when none came within `timeout`. An error means that the link is gone.
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize>;
+    /// The time of a link that has its own, as a simulated cable in virtual time; `None`: the clock of the computer.
+    fn time(&self) -> Option<Duration> {
+        None
+    }
     /// Bytes the line carries in a second, if that bounds what can be watched over it.
     fn bytes_per_second(&self) -> Option<u32> {
         None

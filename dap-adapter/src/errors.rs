@@ -112,7 +112,7 @@ impl From<Failure> for RequestError {
             Failure::OutOfRange => "the address lies outside PLC memory".into(),
             Failure::Incomplete => "the program did not arrive complete; download it again".into(),
             Failure::BadProgram(why) => format!("it cannot load the program: {why}"),
-            Failure::NotFound(what) => what,
+            Failure::NotFound(what) | Failure::Refused(what) => what,
             Failure::TooLarge => "it has no room for that much".into(),
         };
         RequestError::Refused(text)

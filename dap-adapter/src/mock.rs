@@ -288,9 +288,11 @@ impl State {
     fn answer(&mut self, request: Request, limits: Limits) -> Response {
         match request {
             Request::Hello { .. } => {
-                Response::Hello { version: self.version, limits, boot: 1, status: self.status }
+                Response::Hello { version: self.version, limits, boot: 1, status: self.status, features: 0 }
             }
             Request::Status => Response::Status(self.status),
+            Request::OnLinkLost(_) => Response::Done,
+            Request::Echo { .. } | Request::Files(_) => Response::Failed(Failure::Unsupported),
             Request::Download { len, .. } => {
                 self.announced = vec![0; len as usize];
                 Response::Done

@@ -13,6 +13,8 @@ use crate::errors::RequestError;
 /// A question that is not answered for this long is given up, in seconds. The protocol itself gives up earlier
 /// when the target is silent.
 const ANSWER_SECONDS: u64 = 8;
+/// How long a target gets to answer a goodbye, in microseconds.
+const GOODBYE_US: u64 = 700_000;
 
 /// Something the target said unasked.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,6 +83,11 @@ impl TargetLink {
         self.host.limits().unwrap_or(cautious)
     }
 
+    /// What the target can do, bits of [`technol_wire::message::feature`].
+    pub(crate) fn features(&self) -> u32 {
+        self.host.features()
+    }
+
     /// The next thing the target said.
     pub(crate) fn next_event(&mut self) -> Option<TargetEvent> {
         self.events.pop_front()
@@ -143,7 +150,7 @@ impl TargetLink {
     }
 
     fn wait(&mut self, ticket: Ticket) -> Result<Response, RequestError> {
-        let deadline = Instant::now() + Duration::from_secs(ANSWER_SECONDS);
+        let deadline = self.now() + ANSWER_SECONDS * 1_000_000;
         loop {
             if let Some(response) = self.responses.remove(&ticket) {
                 return match response {
@@ -154,7 +161,7 @@ impl TargetLink {
             if let Some(why) = &self.lost {
                 return Err(RequestError::LinkLost(why.clone()));
             }
-            if Instant::now() >= deadline {
+            if self.now() >= deadline {
                 self.forgotten.push(ticket);
                 return Err(RequestError::Silent(ANSWER_SECONDS));
             }
@@ -230,7 +237,7 @@ impl TargetLink {
     }
 
     fn now(&self) -> u64 {
-        self.started.elapsed().as_micros() as u64
+        self.link.time().unwrap_or_else(|| self.started.elapsed()).as_micros() as u64
     }
 
     /// Says goodbye and gives the target a moment to hear it.
@@ -239,8 +246,8 @@ impl TargetLink {
             return;
         }
         let ticket = self.host.request(Request::Goodbye { stop });
-        let deadline = Instant::now() + Duration::from_millis(700);
-        while self.lost.is_none() && Instant::now() < deadline && !self.responses.contains_key(&ticket) {
+        let deadline = self.now() + GOODBYE_US;
+        while self.lost.is_none() && self.now() < deadline && !self.responses.contains_key(&ticket) {
             self.pump(Duration::from_millis(20));
         }
     }

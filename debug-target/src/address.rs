@@ -1,10 +1,14 @@
-//! Where a target is: `embedded`, `tcp:HOST:PORT`, `serial:DEVICE[@BAUD]`.
+//! Where a target is: `embedded`, `tcp:HOST:PORT`, `serial:DEVICE[@BAUD][,rtscts]`.
 
 use std::fmt;
 use std::str::FromStr;
 
 /// Baud rate when none is given.
 pub const DEFAULT_BAUD: u32 = 115_200;
+/// Baud rates that are taken.
+const BAUDS: std::ops::RangeInclusive<u32> = 9_600..=921_600;
+/// Behind the baud rate: the line has wires for flow control, and they are used.
+const FLOW: &str = ",rtscts";
 const LOOPBACK: &str = "127.0.0.1";
 
 /// Where a target is.
@@ -21,10 +25,12 @@ pub enum Address {
     },
     /// At a serial line.
     Serial {
-        /// `/dev/ttyUSB0`, `COM3`.
+        /// `/dev/ttyUSB0`, `COM3`, or an adapter wherever it is plugged in: `usb:0403:6001:A50285BI`.
         device: String,
         /// Bits per second.
         baud: u32,
+        /// RTS/CTS flow control.
+        flow: bool,
     },
 }
 
@@ -59,15 +65,17 @@ impl FromStr for Address {
             };
             Ok(Address::Tcp { host: host.to_owned(), port })
         } else if let Some(rest) = text.strip_prefix("serial:") {
+            let (rest, flow) = rest.strip_suffix(FLOW).map_or((rest, false), |rest| (rest, true));
             let (device, baud) = match rest.rsplit_once('@') {
-                Some((device, baud)) => (device, baud.parse().ok().filter(|baud| *baud > 0)),
+                Some((device, baud)) => (device, baud.parse().ok().filter(|baud| BAUDS.contains(baud))),
                 None => (rest, Some(DEFAULT_BAUD)),
             };
-            let baud = baud.ok_or_else(|| wrong("the baud rate behind `@` is not a number"))?;
+            let baud =
+                baud.ok_or_else(|| wrong("the baud rate behind `@` is not a number from 9600 to 921600"))?;
             if device.is_empty() {
                 return Err(wrong("the device is missing"));
             }
-            Ok(Address::Serial { device: device.to_owned(), baud })
+            Ok(Address::Serial { device: device.to_owned(), baud, flow })
         } else {
             Err(wrong("it begins with none of the known words"))
         }
@@ -80,7 +88,9 @@ impl fmt::Display for Address {
             Address::Embedded => f.write_str("embedded"),
             Address::Tcp { host, port } if host.contains(':') => write!(f, "tcp:[{host}]:{port}"),
             Address::Tcp { host, port } => write!(f, "tcp:{host}:{port}"),
-            Address::Serial { device, baud } => write!(f, "serial:{device}@{baud}"),
+            Address::Serial { device, baud, flow } => {
+                write!(f, "serial:{device}@{baud}{}", if *flow { FLOW } else { "" })
+            }
         }
     }
 }
@@ -94,7 +104,7 @@ mod tests {
     }
 
     fn serial(device: &str, baud: u32) -> Address {
-        Address::Serial { device: device.into(), baud }
+        Address::Serial { device: device.into(), baud, flow: false }
     }
 
     #[test]
@@ -107,6 +117,11 @@ mod tests {
             ("tcp:[::1]:0", tcp("::1", 0), "tcp:[::1]:0"),
             ("serial:/dev/ttyUSB0", serial("/dev/ttyUSB0", 115_200), "serial:/dev/ttyUSB0@115200"),
             ("serial:COM3@9600", serial("COM3", 9600), "serial:COM3@9600"),
+            (
+                "serial:usb:0403:6001:A5@921600,rtscts",
+                Address::Serial { device: "usb:0403:6001:A5".into(), baud: 921_600, flow: true },
+                "serial:usb:0403:6001:A5@921600,rtscts",
+            ),
         ];
         for (text, address, written) in table {
             assert_eq!(text.parse(), Ok(address.clone()), "{text}");
@@ -126,8 +141,8 @@ mod tests {
             ("tcp:::1:7070", "a host with colons is written in brackets"),
             ("tcp:[::1:7070", "the bracket is not closed"),
             ("serial:", "the device is missing"),
-            ("serial:/dev/x@fast", "the baud rate behind `@` is not a number"),
-            ("serial:/dev/x@0", "the baud rate behind `@` is not a number"),
+            ("serial:/dev/x@fast", "the baud rate behind `@` is not a number from 9600 to 921600"),
+            ("serial:/dev/x@300", "the baud rate behind `@` is not a number from 9600 to 921600"),
         ];
         for (text, reason) in table {
             let error = text.parse::<Address>().unwrap_err();

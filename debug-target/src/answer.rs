@@ -4,8 +4,8 @@ use technol_image::container::decode_program;
 use technol_machine::Plant;
 use technol_runtime::{Command, StopReason};
 use technol_wire::message::{
-    BreakpointState, ContentHash, Event, Failure, Limits, PROTOCOL_VERSION, Registers, Request, Response,
-    Resume,
+    BreakpointState, ContentHash, Event, Failure, FileRequest, Limits, LostPolicy, PROTOCOL_VERSION,
+    Registers, Request, Response, Resume, feature,
 };
 
 use crate::convert;
@@ -46,6 +46,13 @@ impl TargetCore {
             Request::SetFault { name, on } => self.switch(|plant| plant.set_fault(&name, on)),
             Request::Press { key, down } => self.switch(|plant| plant.press(&key, down)),
             Request::Goodbye { stop } => Ok(self.goodbye(stop)),
+            Request::OnLinkLost(policy) => {
+                self.lost_policy = policy;
+                Ok(Response::Done)
+            }
+            // The end of the link fills in what it knows about damage.
+            Request::Echo { bytes } => Ok(Response::Echo { bytes, damaged: 0 }),
+            Request::Files(request) => self.remote_files(&request, limits),
             // Streams belong to the end of a link, which does not ask here.
             Request::Subscribe(_) | Request::Unsubscribe { .. } => Err(Failure::Unsupported),
         };
@@ -65,21 +72,40 @@ impl TargetCore {
     /// A new host finds no break-points of another one, but a program that is held stays so.
     fn hello(&mut self, session: u32, limits: Limits) -> Response {
         if self.session.replace(session) != Some(session) {
-            self.download = None;
             self.events.clear();
             if let Some(simulation) = &mut self.simulation {
                 simulation.runtime_mut().set_breakpoints(&[]);
             }
         }
         self.repeat_stop();
-        Response::Hello { version: PROTOCOL_VERSION, limits, boot: self.boot(), status: self.status() }
+        let files = if self.files.is_some() { feature::FILES } else { 0 };
+        Response::Hello {
+            version: PROTOCOL_VERSION,
+            limits,
+            boot: self.boot(),
+            status: self.status(),
+            features: feature::LOST_POLICY
+                | feature::ECHO
+                | feature::RESUMED_DOWNLOAD
+                | feature::STREAMS
+                | files,
+        }
+    }
+
+    fn remote_files(&mut self, request: &FileRequest, limits: Limits) -> Answer {
+        let Some(folder) = &self.files else { return Err(Failure::Unsupported) };
+        if let FileRequest::Store { path } = request {
+            let download = self.download.take().filter(Download::is_intact).ok_or(Failure::Incomplete)?;
+            return folder.store(path, &download.bytes);
+        }
+        folder.answer(request, limits)
     }
 
     fn announce(&mut self, len: u32, hash: ContentHash) -> Answer {
         if len > MOST_PROGRAM {
             return Err(Failure::TooLarge);
         }
-        self.download = Some(Download { hash, bytes: vec![0; len as usize] });
+        self.download = Some(Download::announced(self.download.take(), len, hash));
         Ok(Response::Done)
     }
 
@@ -210,6 +236,7 @@ impl TargetCore {
         }
         self.session = None;
         self.download = None;
+        self.lost_policy = LostPolicy::default();
         Response::Done
     }
 }

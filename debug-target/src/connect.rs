@@ -5,9 +5,11 @@ use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
 
 use crate::address::Address;
+use crate::devices::{Device, devices};
 use crate::link::Link;
-use crate::serial::SerialLink;
+use crate::serial::{SerialLink, SerialPlace};
 use crate::tcp::TcpLink;
+use crate::token::Token;
 
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(3);
 
@@ -35,6 +37,14 @@ pub enum ConnectError {
         /// As asked for.
         address: Address,
         /// What the system says.
+        source: io::Error,
+    },
+    /// The target did not let us in.
+    #[error("the target at {address} did not let us in: {source}; check the token")]
+    Token {
+        /// As asked for.
+        address: Address,
+        /// What happened.
         source: io::Error,
     },
     /// The serial device does not exist.
@@ -65,20 +75,53 @@ pub enum ConnectError {
     },
 }
 
-/// Opens a link to a target.
+/// Opens a link to a target, once.
 ///
 /// # Errors
 /// Whatever keeps it from being opened. That somebody answers is only known after a Hello.
 pub fn connect(address: &Address) -> Result<Box<dyn Link>, ConnectError> {
-    match address {
-        Address::Embedded => Err(ConnectError::Embedded),
-        Address::Tcp { host, port } => {
-            let stream = connect_tcp(address, host, *port)?;
-            let link = TcpLink::new(stream)
-                .map_err(|source| ConnectError::NoTarget { address: address.clone(), source })?;
-            Ok(Box::new(link))
+    Connector::new(address.clone(), None).connect()
+}
+
+/// The debugger's way to one target, again and again: a serial adapter is found again under another name.
+#[derive(Clone, Debug)]
+pub struct Connector {
+    address: Address,
+    token: Option<Token>,
+    serial: Option<SerialPlace>,
+}
+
+impl Connector {
+    /// A way to this target; the token is what it lets in with, if it asks.
+    #[must_use]
+    pub fn new(address: Address, token: Option<Token>) -> Connector {
+        let serial = match &address {
+            Address::Serial { device, baud, flow } => Some(SerialPlace::new(device, *baud, *flow)),
+            Address::Tcp { .. } | Address::Embedded => None,
+        };
+        Connector { address, token, serial }
+    }
+
+    /// Opens a link.
+    ///
+    /// # Errors
+    /// Whatever keeps it from being opened. That somebody answers is only known after a Hello.
+    pub fn connect(&mut self) -> Result<Box<dyn Link>, ConnectError> {
+        let address = &self.address;
+        match (address, &mut self.serial) {
+            (Address::Tcp { host, port }, _) => {
+                let stream = connect_tcp(address, host, *port)?;
+                let failed = |source| ConnectError::NoTarget { address: address.clone(), source };
+                let mut link = TcpLink::new(stream).map_err(failed)?;
+                if let Some(token) = &self.token {
+                    let refused = |source| ConnectError::Token { address: address.clone(), source };
+                    token.prove(&mut link).map_err(refused)?;
+                }
+                Ok(Box::new(link))
+            }
+            (_, Some(serial)) => Ok(Box::new(serial.open()?)),
+            (_, None) => Err(ConnectError::Embedded),
         }
-        Address::Serial { device, baud } => Ok(Box::new(open_serial(device, *baud)?)),
     }
 }
 
@@ -97,8 +140,8 @@ fn connect_tcp(address: &Address, host: &str, port: u16) -> Result<TcpStream, Co
 }
 
 /// Opens a serial device, with errors that say what to do.
-pub(crate) fn open_serial(device: &str, baud: u32) -> Result<SerialLink, ConnectError> {
-    SerialLink::open(device, baud).map_err(|source| {
+pub(crate) fn open_serial(device: &str, baud: u32, flow: bool) -> Result<SerialLink, ConnectError> {
+    SerialLink::open(device, baud, flow).map_err(|source| {
         let device = device.to_owned();
         match source.kind() {
             serialport::ErrorKind::NoDevice | serialport::ErrorKind::Io(ErrorKind::NotFound) => {
@@ -106,7 +149,7 @@ pub(crate) fn open_serial(device: &str, baud: u32) -> Result<SerialLink, Connect
                 if std::path::Path::new(&device).exists() {
                     ConnectError::Device { device, source }
                 } else {
-                    ConnectError::NoDevice { device, available: available_devices() }
+                    ConnectError::NoDevice { device, available: available(&devices()) }
                 }
             }
             serialport::ErrorKind::Io(ErrorKind::PermissionDenied) => ConnectError::Permission { device },
@@ -115,8 +158,8 @@ pub(crate) fn open_serial(device: &str, baud: u32) -> Result<SerialLink, Connect
     })
 }
 
-fn available_devices() -> String {
-    let ports = serialport::available_ports().unwrap_or_default();
-    let names: Vec<_> = ports.into_iter().map(|port| port.port_name).collect();
+/// The devices there are, as a phrase.
+pub(crate) fn available(devices: &[Device]) -> String {
+    let names: Vec<_> = devices.iter().map(|device| device.port.as_str()).collect();
     if names.is_empty() { "none was found".to_owned() } else { format!("there is {}", names.join(", ")) }
 }

@@ -7,12 +7,15 @@ use technol_image::container::{content_hash, hash_bytes};
 use technol_image::{ContentHash, Program};
 use technol_machine::{ControlData, MachineConfig};
 use technol_runtime::{Command, RateKind, Resume, RuntimeEvent, StopReason};
-use technol_wire::Streams;
-use technol_wire::message::{Chunk, Event, PlcState, Status};
+use technol_wire::message::{Chunk, Event, LostPolicy, PlcState, Status};
+use technol_wire::{Arrived, Streams};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
+use crate::event_log::EventLog;
+use crate::files::RemoteFolder;
 use crate::keep::Keep;
+use crate::lines::Lines;
 use crate::sampling::Sampling;
 use crate::simulation::{Simulation, SimulationError};
 
@@ -43,10 +46,14 @@ pub struct TargetOptions {
     pub data: ControlData,
     /// Where changes of that are kept.
     pub keep: Keep,
+    /// Where what happens is logged.
+    pub log: Option<EventLog>,
     /// Loaded at once.
     pub program: Option<Program>,
     /// Started at once (cold), as at power-on.
     pub start: bool,
+    /// The folder whose files a host may list, get, put, copy, move and delete.
+    pub files: Option<RemoteFolder>,
 }
 
 /// An announced download.
@@ -54,9 +61,19 @@ pub struct TargetOptions {
 pub(crate) struct Download {
     pub(crate) hash: ContentHash,
     pub(crate) bytes: Vec<u8>,
+    pub(crate) arrived: Arrived,
 }
 
 impl Download {
+    /// It goes on where it was when the same is announced again, also in another session.
+    pub(crate) fn announced(kept: Option<Download>, len: u32, hash: ContentHash) -> Download {
+        kept.filter(|d| d.hash == hash && d.bytes.len() == len as usize).unwrap_or_else(|| Download {
+            hash,
+            bytes: vec![0; len as usize],
+            arrived: Arrived::default(),
+        })
+    }
+
     pub(crate) fn is_intact(&self) -> bool {
         hash_bytes(&self.bytes) == self.hash
     }
@@ -68,9 +85,15 @@ pub struct TargetCore {
     machine: Option<MachineConfig>,
     data: ControlData,
     keep: Keep,
+    log: Option<EventLog>,
+    /// Serial ports of the program.
+    lines: Lines,
     pub(crate) simulation: Option<Simulation>,
     pub(crate) program: Option<ContentHash>,
     pub(crate) download: Option<Download>,
+    pub(crate) files: Option<RemoteFolder>,
+    /// What becomes of a held program when the host is lost.
+    pub(crate) lost_policy: LostPolicy,
     boot: u32,
     /// Number of the host session that is attached.
     pub(crate) session: Option<u32>,
@@ -88,16 +111,22 @@ impl TargetCore {
     /// # Errors
     /// A program or a machine that is wrong.
     pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
-        let TargetOptions { clock, machine, data, keep, program, start } = options;
+        let TargetOptions { clock, machine, data, keep, log, program, start, files } = options;
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        // In virtual time no device could follow.
+        let lines = Lines::open(machine.as_ref().filter(|_| clock == Clock::Real));
         let mut core = TargetCore {
             clock,
+            lines,
             machine,
             data,
             keep,
+            log,
             simulation: None,
             program: None,
             download: None,
+            files,
+            lost_policy: LostPolicy::default(),
             // Differs from start to start, which is all it has to do.
             boot: since_epoch.as_millis() as u32 ^ std::process::id().rotate_left(16),
             session: None,
@@ -180,7 +209,14 @@ impl TargetCore {
 
     /// Events since the last call.
     pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        let mut events = std::mem::take(&mut self.events);
+        // A step that has ended already: its stop says all, and comes a millisecond earlier over a serial line.
+        let is_stop = |event: &Event| matches!(event, Event::Stopped(_));
+        if let Some(stop) = events.iter().rposition(is_stop) {
+            let mut at = 0..;
+            events.retain(|event| at.next() > Some(stop) || *event != Event::Resumed);
+        }
+        events
     }
 
     /// A piece of the announced download.
@@ -189,15 +225,37 @@ impl TargetCore {
         let start = chunk.offset as usize;
         if let Some(place) = download.bytes.get_mut(start..start + chunk.bytes.len()) {
             place.copy_from_slice(&chunk.bytes);
+            download.arrived.add(chunk.offset, chunk.offset + chunk.bytes.len() as u32);
         }
     }
 
-    /// The host is gone: break-points are removed and a held program runs on, since nobody is left to let it go.
+    /// What has arrived of the announced download, in this session and in earlier ones.
+    #[must_use]
+    pub fn arrived(&self) -> Arrived {
+        self.download.as_ref().map(|d| d.arrived.clone()).unwrap_or_default()
+    }
+
+    /// The host is gone. Unless it has told otherwise, break-points are removed and a held program runs on, since
+    /// nobody is left to let it go. What has arrived of a download is kept.
     pub fn host_lost(&mut self) {
-        self.session = None;
-        self.download = None;
-        self.let_go();
+        if self.session.take().is_none() {
+            return; // told already: the silence first, then the end of the link
+        }
+        match (self.is_held(), self.lost_policy) {
+            (true, LostPolicy::StayStopped) => {}
+            (true, LostPolicy::StopPlc) => {
+                self.let_go();
+                self.stop_plc();
+            }
+            _ => self.let_go(),
+        }
         self.events.clear();
+    }
+
+    /// The debugger holds the program at a place it can go on from.
+    fn is_held(&self) -> bool {
+        let stop = self.simulation.as_ref().and_then(|s| s.runtime().stopped());
+        stop.is_some_and(|stop| stop.reason != StopReason::Fault)
     }
 
     /// Removes break-points and lets a held program run on.
@@ -283,6 +341,7 @@ impl TargetCore {
     /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
     fn run_cycle(&mut self, mut streams: Option<&mut Streams>) {
         let Some(simulation) = &mut self.simulation else { return };
+        self.lines.exchange(simulation.control_mut());
         self.sampling.follow(streams.as_deref(), simulation);
         if simulation.runtime().stopped().is_some() {
             for _ in 0..CYCLE.as_millis() {
@@ -298,7 +357,29 @@ impl TargetCore {
         }
         self.sampling.sample(streams, simulation);
         self.keep_files();
+        self.log();
         self.report();
+    }
+
+    /// Logs what occurred.
+    fn log(&mut self) {
+        if let (Some(log), Some(simulation)) = (&mut self.log, &self.simulation)
+            && let Err(error) = log.write(simulation, &self.occurred)
+        {
+            self.events.push(Event::Log(error));
+        }
+    }
+
+    /// Ends the target as a control is switched off: the program ends through MODULE_DONE, and everything that is kept is saved.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn shut_down(mut self) -> Result<(), String> {
+        let Some(mut simulation) = self.simulation.take() else { return Ok(()) };
+        simulation.shut_down(&mut self.occurred);
+        let kept = self.keep.follow(simulation.control());
+        let logged = self.log.as_mut().map_or(Ok(()), |log| log.write(&simulation, &self.occurred));
+        kept.and(logged)
     }
 
     /// Turns what occurred in the runtime into events for the host.
@@ -357,8 +438,12 @@ impl TargetCore {
     /// A stop that was asked for by a host that is gone by now.
     fn release_if_alone(&mut self) {
         if self.session.is_none() {
-            if self.held {
+            // A step that was under way when the host was lost ends where the host will look for it.
+            if self.held && self.lost_policy == LostPolicy::RunOn {
                 self.let_go();
+            } else if self.held && self.lost_policy == LostPolicy::StopPlc {
+                self.let_go();
+                self.stop_plc();
             }
             self.events.clear();
         }

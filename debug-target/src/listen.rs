@@ -8,11 +8,13 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::address::Address;
-use crate::connect::{ConnectError, open_serial};
+use crate::connect::ConnectError;
 use crate::core::TargetCore;
 use crate::link::Link;
+use crate::serial::SerialPlace;
 use crate::serve::{ServeEnd, serve};
 use crate::tcp::TcpLink;
+use crate::token::{Token, Visitors};
 
 /// How often a waiting target looks for a debugger, and for a serial device that was pulled out.
 const LOOK: Duration = Duration::from_millis(10);
@@ -29,6 +31,14 @@ pub enum ListenError {
         /// What the system says.
         source: io::Error,
     },
+    /// Computers elsewhere would get in without a token.
+    #[error(
+        "{address} can be reached from other computers, and whoever reaches it can move the machine; give a token (`--token-file FILE`, or TECHNOL_TOKEN), or listen at tcp:127.0.0.1:PORT"
+    )]
+    TokenNeeded {
+        /// As asked for.
+        address: Address,
+    },
     /// The serial device cannot be had.
     #[error(transparent)]
     Serial(#[from] ConnectError),
@@ -39,6 +49,10 @@ pub enum ListenError {
 pub enum Notice {
     /// Ready; the port is the one that was given out when 0 was asked for.
     Listening(Address),
+    /// Something to know about the way the target listens.
+    Warning(String),
+    /// Somebody from there did not know the token.
+    Refused(String),
     /// A debugger connected, from there. (A serial line cannot tell.)
     Connected(String),
     /// The debugger is gone, or the serial device was pulled out, because of that.
@@ -49,6 +63,8 @@ impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Notice::Listening(address) => write!(f, "listening at {address}"),
+            Notice::Warning(text) => write!(f, "warning: {text}"),
+            Notice::Refused(why) => write!(f, "refused: {why}"),
             Notice::Connected(from) => write!(f, "debugger connected from {from}"),
             Notice::Gone(why) => write!(f, "link closed: {why}"),
         }
@@ -56,23 +72,42 @@ impl fmt::Display for Notice {
 }
 
 /// Waits for debuggers at a TCP port, one at a time, until `shutdown` is set. A second one waits until the first is
-/// gone. The target keeps its program and state from one to the next.
+/// gone. The target keeps its program and state from one to the next. With a token, only who knows it gets in.
+/// `record` may put something around each link.
+///
+/// # Errors
+/// The port cannot be had, or can be reached from elsewhere and there is no token.
 pub fn listen_tcp(
     host: &str,
     port: u16,
+    token: Option<&Token>,
+    record: &mut dyn FnMut(Box<dyn Link>) -> Box<dyn Link>,
     core: &mut TargetCore,
     shutdown: &AtomicBool,
     notice: &mut dyn FnMut(Notice),
 ) -> Result<(), ListenError> {
-    let refused =
-        |source| ListenError::Bind { address: Address::Tcp { host: host.to_owned(), port }, source };
+    let address = Address::Tcp { host: host.to_owned(), port };
+    let refused = |source| ListenError::Bind { address: address.clone(), source };
     let listener = TcpListener::bind((host, port)).map_err(refused)?;
-    serve_listener(&listener, core, shutdown, notice).map_err(refused)
+    let here = listener.local_addr().map_err(refused)?;
+    if !here.ip().is_loopback() {
+        if token.is_none() {
+            return Err(ListenError::TokenNeeded { address });
+        }
+        notice(Notice::Warning(
+            "other computers can reach this target; whoever knows the token can load programs and move the machine, \
+             and what goes over the network can be read by others on it"
+                .to_owned(),
+        ));
+    }
+    serve_listener(&listener, token, record, core, shutdown, notice).map_err(refused)
 }
 
-/// As [`listen_tcp`], with a listener that is bound already.
+/// As [`listen_tcp`], with a listener that is bound already, wherever that is.
 pub fn serve_listener(
     listener: &TcpListener,
+    token: Option<&Token>,
+    record: &mut dyn FnMut(Box<dyn Link>) -> Box<dyn Link>,
     core: &mut TargetCore,
     shutdown: &AtomicBool,
     notice: &mut dyn FnMut(Notice),
@@ -80,38 +115,52 @@ pub fn serve_listener(
     listener.set_nonblocking(true)?;
     let here = listener.local_addr()?;
     notice(Notice::Listening(Address::Tcp { host: here.ip().to_string(), port: here.port() }));
+    let mut visitors = Visitors::default();
     loop {
         let accept = || {
-            let (stream, from) = listener.accept().ok()?;
-            // A connection that fails at once is as good as none.
-            Some((TcpLink::new(stream).ok()?, from))
+            if let Ok((stream, from)) = listener.accept() {
+                let link = TcpLink::new(stream);
+                match (link, token) {
+                    // A connection that fails at once is as good as none.
+                    (Err(_), _) => {}
+                    (Ok(link), None) => return Some(Ok((link, from.to_string()))),
+                    (Ok(link), Some(token)) => visitors.ask(link, from.to_string(), token),
+                }
+            }
+            visitors.admitted()
         };
-        let Some((link, from)) = run_until(core, shutdown, LOOK, accept) else { return Ok(()) };
-        notice(Notice::Connected(from.to_string()));
-        if !serve_one(Box::new(link), core, shutdown, notice) {
-            return Ok(());
+        match run_until(core, shutdown, LOOK, accept) {
+            None => return Ok(()),
+            Some(Err(refused)) => notice(Notice::Refused(refused)),
+            Some(Ok((link, from))) => {
+                notice(Notice::Connected(from));
+                if !serve_one(record(Box::new(link)), core, shutdown, notice) {
+                    return Ok(());
+                }
+            }
         }
     }
 }
 
-/// Waits for debuggers at a serial line until `shutdown` is set. A device that is pulled out is waited for.
+/// Waits for debuggers at a serial line until `shutdown` is set. A device that is pulled out is waited for, and found
+/// again under another name if its adapter has a number of its own.
 ///
 /// # Errors
 /// The device cannot be opened at first.
 pub fn serve_serial(
-    device: &str,
-    baud: u32,
+    mut place: SerialPlace,
+    record: &mut dyn FnMut(Box<dyn Link>) -> Box<dyn Link>,
     core: &mut TargetCore,
     shutdown: &AtomicBool,
     notice: &mut dyn FnMut(Notice),
 ) -> Result<(), ListenError> {
-    let mut link = open_serial(device, baud)?;
+    let mut link = place.open()?;
     loop {
-        notice(Notice::Listening(Address::Serial { device: device.to_owned(), baud }));
-        if !serve_one(Box::new(link), core, shutdown, notice) {
+        notice(Notice::Listening(place.address()));
+        if !serve_one(record(Box::new(link)), core, shutdown, notice) {
             return Ok(());
         }
-        match run_until(core, shutdown, LOOK_FOR_DEVICE, || open_serial(device, baud).ok()) {
+        match run_until(core, shutdown, LOOK_FOR_DEVICE, || place.open().ok()) {
             Some(again) => link = again,
             None => return Ok(()),
         }

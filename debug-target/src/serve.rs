@@ -114,8 +114,15 @@ impl TargetEnd {
         while let Some(input) = self.session.next() {
             match input {
                 TargetInput::Request { seq, request } => {
-                    let response = self.answer(request, core);
+                    let announces = matches!(request, Request::Download { .. });
+                    let mut response = self.answer(request, core);
+                    if let Response::Echo { damaged, .. } = &mut response {
+                        *damaged = self.session.damaged_frames();
+                    }
                     self.session.respond(seq, &response);
+                    if announces && response == Response::Done {
+                        self.session.already_arrived(core.arrived());
+                    }
                 }
                 TargetInput::Chunk(chunk) => core.chunk(&chunk),
                 TargetInput::HostLost => {

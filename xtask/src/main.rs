@@ -13,7 +13,9 @@ cargo xtask TASK
   generate [--check]  write the files derived from the catalogue (with --check: fail when one is stale)
   test                formatting, lints, all tests, stale generated files, the editors' tests
   bench               all benchmarks; docs/design/performance.md says how to read them
-  fuzz [MINUTES]      looks for texts that break the front end (30 minutes); needs cargo-fuzz
+  fuzz [TARGET] [MINUTES]
+                      looks for inputs that break something: front_end (the default), image, machine, scenario;
+                      30 minutes; needs cargo-fuzz
   package             the VS Code extension as a .vsix
 ";
 
@@ -34,8 +36,16 @@ const BENCHMARKS: &[&str] = &[
 const SAME_AGAIN: &[&str] =
     &["test", "--release", "--package=technol-tests", "--test=controller", "same_again", "--", "--nocapture"];
 
+/// Frames through the simulated cable for each kind of fault, and a long session of an editor over it.
+const MANY_FRAMES: &[&str] = &["test", "--release", "--package=technol-wire", "--test=link", "million"];
+const LONG_SESSION: &[&str] = &["test", "--release", "--package=technol-tests", "--test=link", "session"];
+
 fn bench() -> Result<(), String> {
     run::cargo("benchmarks", BENCHMARKS)?;
+    for (what, arguments) in [("a million frames", MANY_FRAMES), ("a long session", LONG_SESSION)] {
+        let mut link = run::command(arguments);
+        run::step(&format!("{what} over a bad cable"), link.env("TECHNOL_FRAMES", "1000000"))?;
+    }
     let mut lathe = run::command(SAME_AGAIN);
     run::step("a million cycles of the lathe", lathe.env("TECHNOL_CYCLES", "1000000"))
 }
@@ -48,8 +58,7 @@ fn main() -> ExitCode {
         ["generate", "--check"] => generate::generate(true),
         ["test"] => test::test(),
         ["bench"] => bench(),
-        ["fuzz"] => fuzz::fuzz(None),
-        ["fuzz", minutes] => fuzz::fuzz(Some(minutes)),
+        ["fuzz", words @ ..] => fuzz::fuzz(words),
         ["package"] => test::package(),
         _ => {
             eprint!("{USAGE}");

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use technol_wire::message::{PlcState, Request as Ask, Response, StopReason, Stopped};
 
-use crate::arguments::{AttachArguments, LaunchArguments, Policy};
+use crate::arguments::{AttachArguments, LaunchArguments, LinkArguments, Policy};
 use crate::connection::Clock;
 use crate::errors::RequestError;
 use crate::request::Request;
@@ -43,7 +43,8 @@ impl Session {
     pub(super) fn launch(&mut self, request: &Request) -> Answer {
         let arguments: LaunchArguments = request.parse()?;
         let project = self.build(arguments.program.clone(), arguments.build)?;
-        let spec = target_spec(arguments.target.as_deref(), &project, arguments.clock);
+        let spec = target_spec(arguments.target.as_deref(), &project, arguments.clock, &arguments.link);
+        self.link_arguments = arguments.link.clone();
         self.load(project, &spec, arguments.download, How::Launch(arguments.clone()))?;
         self.loaded();
         Ok(Value::Null)
@@ -52,7 +53,8 @@ impl Session {
     pub(super) fn attach(&mut self, request: &Request) -> Answer {
         let arguments: AttachArguments = request.parse()?;
         let project = self.build(arguments.program.clone(), arguments.build)?;
-        let spec = target_spec(arguments.target.as_deref(), &project, Clock::Real);
+        let spec = target_spec(arguments.target.as_deref(), &project, Clock::Real, &arguments.link);
+        self.link_arguments = arguments.link.clone();
         if matches!(spec, crate::connection::TargetSpec::Embedded { .. }) {
             return Err(RequestError::Connect(
                 "an embedded target lives only as long as its session, so there is nothing to attach to; set `target` \
@@ -251,6 +253,7 @@ impl Session {
     /// Lets the target go. What was launched ends, what was attached to goes on, unless asked otherwise.
     pub(super) fn leave_target(&mut self, stop: Option<bool>) {
         let launched = self.debuggee.as_ref().is_some_and(|d| matches!(d.how, How::Launch(_)));
+        self.again = None;
         if let Some(mut target) = self.target.take() {
             target.goodbye(stop.unwrap_or(launched));
         }
@@ -308,13 +311,14 @@ fn target_spec(
     asked: Option<&str>,
     project: &crate::project::BuiltProject,
     clock: Clock,
+    link: &LinkArguments,
 ) -> crate::connection::TargetSpec {
     use crate::connection::TargetSpec;
     let address = asked.or(project.target.as_deref()).map_or("embedded", str::trim);
     if address.is_empty() || address.eq_ignore_ascii_case("embedded") {
         TargetSpec::Embedded { project: project.root.clone(), machine: project.machine.clone(), clock }
     } else {
-        TargetSpec::Address(address.to_owned())
+        TargetSpec::Address { address: address.to_owned(), token_file: link.token_file.clone() }
     }
 }
 

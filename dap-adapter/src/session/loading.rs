@@ -73,7 +73,11 @@ impl Session {
         let wanted = spec.clone();
         let link = self.aside(move || connector.connect(&wanted))?.map_err(RequestError::Connect)?;
         self.target = Some(TargetLink::new(link));
-        let result = self.greet().and_then(|status| self.provide(&project, status, download));
+        self.spec = Some(spec.clone());
+        let result = self.greet().and_then(|status| {
+            self.tell_policy()?;
+            self.provide(&project, status, download)
+        });
         match result {
             Ok(plc) => {
                 self.debuggee = Some(debuggee(project, plc, how));
@@ -103,7 +107,7 @@ impl Session {
         Ok(())
     }
 
-    fn greet(&mut self) -> Result<Status, RequestError> {
+    pub(super) fn greet(&mut self) -> Result<Status, RequestError> {
         let Some(target) = &mut self.target else {
             return Err(RequestError::LinkLost("there is no target".into()));
         };
@@ -140,7 +144,17 @@ impl Session {
         }
     }
 
+    /// Loads a program. When the link is lost meanwhile and comes back, what has arrived need not be sent again.
     fn download(&mut self, bytes: Vec<u8>, hash: ContentHash) -> Result<(), RequestError> {
+        loop {
+            match self.download_once(bytes.clone(), hash) {
+                Err(RequestError::LinkLost(why)) if self.may_reconnect() => self.reach_again(&why)?,
+                other => return other,
+            }
+        }
+    }
+
+    fn download_once(&mut self, bytes: Vec<u8>, hash: ContentHash) -> Result<(), RequestError> {
         let len = bytes.len() as u32;
         let Some(target) = &mut self.target else {
             return Err(RequestError::LinkLost("there is no target".into()));

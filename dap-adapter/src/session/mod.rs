@@ -11,6 +11,7 @@ mod inspect;
 mod launch;
 mod loading;
 mod phase;
+mod reconnect;
 mod repl;
 mod sources;
 mod stack;
@@ -33,8 +34,8 @@ use technol_image::debug_info::DebugInfo;
 use technol_image::program::Program;
 use technol_wire::message::{Fault, PlcState, SequenceState, Stopped};
 
-use crate::arguments::LaunchArguments;
-use crate::connection::Connector;
+use crate::arguments::{LaunchArguments, LinkArguments};
+use crate::connection::{Connector, TargetSpec};
 use crate::errors::RequestError;
 use crate::outbox::Outbox;
 use crate::project::{Builder, BuiltProject};
@@ -47,6 +48,7 @@ use crate::tree::Tree;
 use breakpoints::Breakpoints;
 pub(crate) use phase::COMMANDS;
 use phase::Phase;
+use reconnect::Again;
 use watching::Watching;
 
 /// Longest wait for the target before the client is looked at again.
@@ -125,6 +127,11 @@ pub(crate) struct Session {
     /// Events that follow the response in progress.
     after: Vec<Event>,
     target: Option<TargetLink>,
+    /// Where the target is, once it was asked for.
+    spec: Option<TargetSpec>,
+    link_arguments: LinkArguments,
+    /// The link is lost and is being tried again.
+    again: Option<Again>,
     debuggee: Option<Debuggee>,
     breakpoints: Breakpoints,
     watching: Watching,
@@ -153,6 +160,9 @@ impl Session {
             client: ClientTraits { first_line: 1, first_column: 1, invalidated: false, progress: false },
             after: Vec::new(),
             target: None,
+            spec: None,
+            link_arguments: LinkArguments::default(),
+            again: None,
             debuggee: None,
             breakpoints: Breakpoints::default(),
             watching: Watching::default(),
@@ -169,6 +179,7 @@ impl Session {
     pub(crate) fn run(mut self) {
         while !self.finished && !self.out.is_gone() {
             self.take_target_events();
+            self.try_again();
             self.watch();
             self.run_timers();
             match self.next_input() {
@@ -186,7 +197,8 @@ impl Session {
             return Some(input);
         }
         let Some(target) = &mut self.target else {
-            return match self.inbox.recv_timeout(IDLE) {
+            let wait = if self.again.is_some() { TURN } else { IDLE };
+            return match self.inbox.recv_timeout(wait) {
                 Ok(input) => Some(input),
                 Err(RecvTimeoutError::Timeout) => None,
                 Err(RecvTimeoutError::Disconnected) => Some(ClientInput::Gone),
@@ -292,6 +304,9 @@ impl Session {
 
     /// Link and program; an error when there is none.
     fn parts(&mut self) -> Result<(&mut TargetLink, &mut Debuggee), RequestError> {
+        if self.again.is_some() {
+            return Err(RequestError::LinkLost("it is being tried again".into()));
+        }
         match (&mut self.target, &mut self.debuggee) {
             (Some(target), Some(debuggee)) => Ok((target, debuggee)),
             _ => Err(RequestError::LinkLost("there is no target".into())),

@@ -118,7 +118,7 @@ impl Session {
     }
 
     /// Somebody else let the program go on.
-    fn on_resumed(&mut self) {
+    pub(super) fn on_resumed(&mut self) {
         if self.phase != Phase::Stopped {
             return;
         }
@@ -132,7 +132,7 @@ impl Session {
         }));
     }
 
-    fn on_state(&mut self, status: Status) {
+    pub(super) fn on_state(&mut self, status: Status) {
         let Some(debuggee) = &mut self.debuggee else { return };
         let before = std::mem::replace(&mut debuggee.plc, status.plc);
         if self.terminating && is_over(status.plc) {
@@ -193,6 +193,9 @@ impl Session {
 
     fn lose_target(&mut self, why: &str) {
         self.target = None;
+        if self.begin_again(why) {
+            return;
+        }
         if matches!(self.phase, Phase::New | Phase::Initialized | Phase::Ended) {
             return;
         }

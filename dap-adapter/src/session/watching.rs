@@ -138,6 +138,22 @@ impl Watching {
         asked
     }
 
+    /// The link is lost: nothing is known to be up to date.
+    pub(super) fn lost(&mut self) {
+        for subscription in &self.plan.subscriptions {
+            self.live.stale(subscription.id);
+        }
+        self.untold = true;
+    }
+
+    /// The target is there again, and has forgotten its streams: they are asked for again.
+    pub(super) fn resume(&mut self) {
+        for subscription in self.plan.subscriptions.drain(..) {
+            self.live.close(subscription.id);
+        }
+        self.replan = Some(Instant::now());
+    }
+
     fn is_watching(&self) -> bool {
         !self.watches.is_empty() || self.mechanisms
     }

@@ -101,7 +101,7 @@ pub(crate) fn run(
                     budget -= len;
                     let first = first as usize;
                     let terms = &code.terms[first..first + usize::from(terms)];
-                    recorder.stretch(first, terms, code, window, &mut regs);
+                    budget += recorder.stretch(first, terms, code, window, &mut regs);
                     pc += len;
                     skip = false;
                     continue;

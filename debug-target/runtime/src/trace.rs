@@ -53,7 +53,8 @@ pub struct TraceValues {
 pub(crate) trait Recorder {
     /// An operation was executed by itself and left these registers.
     fn operation(&mut self, pc: Pc, regs: &Registers);
-    /// Executes the terms of a stretch, of which the first has this number.
+    /// Executes the terms of a stretch, of which the first has this number. Gives the number of operations that it
+    /// skipped.
     fn stretch(
         &mut self,
         first: usize,
@@ -61,7 +62,7 @@ pub(crate) trait Recorder {
         code: &Code,
         memory: &mut Window,
         regs: &mut Registers,
-    );
+    ) -> u32;
 }
 
 /// Nobody does.
@@ -72,8 +73,15 @@ impl Recorder for Untraced {
     fn operation(&mut self, _: Pc, _: &Registers) {}
 
     #[inline(always)]
-    fn stretch(&mut self, _: usize, terms: &[Term], code: &Code, memory: &mut Window, regs: &mut Registers) {
-        fused::execute(terms, code, memory, regs, Unseen);
+    fn stretch(
+        &mut self,
+        _: usize,
+        terms: &[Term],
+        code: &Code,
+        memory: &mut Window,
+        regs: &mut Registers,
+    ) -> u32 {
+        fused::execute(terms, code, memory, regs, Unseen)
     }
 }
 
@@ -235,11 +243,11 @@ impl Recorder for Trace {
         code: &Code,
         memory: &mut Window,
         regs: &mut Registers,
-    ) {
+    ) -> u32 {
         match self.terms.get_mut(self.term_at[first] as usize..) {
             Some(seen) => {
                 self.last += 1;
-                fused::execute(terms, code, memory, regs, Notes { seen: seen.iter_mut(), stamp: self.last });
+                fused::execute(terms, code, memory, regs, Notes { seen: seen.iter_mut(), stamp: self.last })
             }
             None => fused::execute(terms, code, memory, regs, Unseen),
         }
@@ -258,6 +266,13 @@ impl Witness for Notes<'_> {
         if let Some(seen) = self.seen.next() {
             let (stack, depth) = (regs.stack, regs.depth);
             *seen = SeenTerm { stamp: self.stamp, dr, operand, bits, rlo, stack, depth };
+        }
+    }
+
+    #[inline(always)]
+    fn skip(&mut self, terms: usize) {
+        if terms > 0 {
+            self.seen.nth(terms - 1);
         }
     }
 }

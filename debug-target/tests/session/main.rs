@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used)] // tests
 
 mod host;
+#[cfg(unix)]
+mod lines;
 mod places;
 mod program;
 
@@ -38,6 +40,7 @@ fn options(clock: Clock) -> TargetOptions {
         name: "start".into(),
         input: Some("P2IN.0".into()),
         command: None,
+        panel: None,
         invert: false,
     });
     machine.fault.push(technol_machine::config::Fault {
@@ -257,6 +260,14 @@ fn a_session_over_tcp() {
 #[test]
 fn a_session_over_a_serial_line() {
     session(&mut places::serial::Serial::new(options(Clock::Real)));
+}
+
+/// In real time, one bit in ten thousand wrong both ways: each session loses some dozens of frames.
+#[cfg(unix)]
+#[test]
+fn a_session_over_a_noisy_serial_line() {
+    let noise = technol_link_model::Faults::bit_errors(1e-4);
+    session(&mut places::serial::Serial::noisy(options(Clock::Real), noise));
 }
 
 #[test]

@@ -72,7 +72,7 @@ impl Tcp {
                     tell.send(address).unwrap();
                 }
             };
-            serve_listener(&listener, &mut core, shutdown, &mut notice).unwrap();
+            serve_listener(&listener, None, &mut |link| link, &mut core, shutdown, &mut notice).unwrap();
         });
         Tcp { address: told.recv().unwrap(), _target: target }
     }
@@ -99,7 +99,8 @@ pub(crate) mod serial {
     use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
     use nix::unistd::ttyname;
     use std::sync::atomic::{AtomicBool, Ordering};
-    use technol_target::{Address, Link, TargetCore, TargetOptions, connect, serve_serial};
+    use technol_link_model::{Faults, Line, LineOptions};
+    use technol_target::{Address, Link, SerialPlace, TargetCore, TargetOptions, connect, serve_serial};
 
     use super::{Place, Running};
 
@@ -111,7 +112,7 @@ pub(crate) mod serial {
         _devices: [OwnedFd; 2],
     }
 
-    fn terminal() -> (File, OwnedFd, String) {
+    pub(crate) fn terminal() -> (File, OwnedFd, String) {
         let pty = openpty(None, None).unwrap();
         let mut raw = tcgetattr(&pty.slave).unwrap();
         cfmakeraw(&mut raw);
@@ -121,13 +122,18 @@ pub(crate) mod serial {
         (File::from(pty.master), pty.slave, name)
     }
 
-    fn wire(mut from: File, mut to: File) -> Running {
+    fn wire(mut from: File, mut to: File, noise: Faults, seed: u64) -> Running {
+        // Only its damage is wanted here; the time of the bytes is that of the terminals.
+        let mut line = Line::new(LineOptions { faults: noise, ..LineOptions::default() }, seed);
         Running::spawn(move |shutdown: &AtomicBool| {
             let mut buffer = [0; 512];
             while !shutdown.load(Ordering::Relaxed) {
                 match from.read(&mut buffer) {
                     // A full receiver loses what comes, as a serial line does.
-                    Ok(count) if count > 0 => drop(to.write_all(&buffer[..count])),
+                    Ok(count) if count > 0 => {
+                        line.send(0, &buffer[..count]);
+                        drop(to.write_all(&line.arrived(u64::MAX)));
+                    }
                     _ => thread::sleep(std::time::Duration::from_micros(200)),
                 }
             }
@@ -136,15 +142,22 @@ pub(crate) mod serial {
 
     impl Serial {
         pub(crate) fn new(options: TargetOptions) -> Serial {
+            Serial::noisy(options, Faults::default())
+        }
+
+        /// A cable on which things go wrong.
+        pub(crate) fn noisy(options: TargetOptions, noise: Faults) -> Serial {
             let (host_master, host_device, host_name) = terminal();
             let (target_master, target_device, target_name) = terminal();
-            let there = wire(host_master.try_clone().unwrap(), target_master.try_clone().unwrap());
-            let back = wire(target_master, host_master);
+            let there = wire(host_master.try_clone().unwrap(), target_master.try_clone().unwrap(), noise, 1);
+            let back = wire(target_master, host_master, noise, 2);
             let (tell, told) = mpsc::channel();
             let target = Running::spawn(move |shutdown| {
                 let mut core = TargetCore::new(options).unwrap();
                 let mut notice = |_| tell.send(()).unwrap();
-                serve_serial(&target_name, 115_200, &mut core, shutdown, &mut notice).unwrap();
+                let place = SerialPlace::new(&target_name, 115_200, false);
+                let mut as_it_is = |link| link;
+                serve_serial(place, &mut as_it_is, &mut core, shutdown, &mut notice).unwrap();
             });
             told.recv().unwrap();
             Serial {

@@ -5,15 +5,15 @@ use alloc::vec::Vec;
 /// Separate pieces that are remembered; a piece that would make one more is not taken and comes again.
 const MAX_ISLANDS: usize = 16;
 
-/// Disjoint ranges, ascending, never touching each other.
+/// Which bytes of a download have arrived: disjoint ranges, ascending, never touching each other.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Arrived {
+pub struct Arrived {
     ranges: Vec<(u32, u32)>,
 }
 
 impl Arrived {
     /// Adds `start..end`; true when it brought something new and was taken.
-    pub(crate) fn add(&mut self, start: u32, end: u32) -> bool {
+    pub fn add(&mut self, start: u32, end: u32) -> bool {
         if start >= end || self.ranges.iter().any(|r| r.0 <= start && end <= r.1) {
             return false;
         }
@@ -28,13 +28,21 @@ impl Arrived {
         true
     }
 
+    /// Nothing has arrived.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.ranges.is_empty()
+    }
+
     /// All bytes before this offset have arrived.
-    pub(crate) fn complete(&self) -> u32 {
+    #[must_use]
+    pub fn complete(&self) -> u32 {
         self.ranges.first().filter(|r| r.0 == 0).map_or(0, |r| r.1)
     }
 
     /// The pieces behind the first hole, as (offset, length).
-    pub(crate) fn islands(&self) -> Vec<(u32, u32)> {
+    #[must_use]
+    pub fn islands(&self) -> Vec<(u32, u32)> {
         self.ranges.iter().filter(|r| r.0 != 0).map(|r| (r.0, r.1 - r.0)).collect()
     }
 }

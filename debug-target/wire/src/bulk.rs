@@ -116,6 +116,12 @@ impl Download {
                 sample = Some(now.saturating_sub(piece.at));
             }
         }
+        // What the target has kept of an earlier attempt is not sent again.
+        let kept = (ack.complete as usize).min(self.bytes.len());
+        if kept > self.next {
+            arrived += kept - self.next;
+            self.next = kept;
+        }
         if arrived == 0 {
             return;
         }
@@ -193,6 +199,18 @@ mod tests {
             assert_eq!(offsets(&mut download, now), [0]);
         }
         assert_eq!(download.poll(3_000_000, 2), Err(NoProgress));
+    }
+
+    #[test]
+    fn what_the_target_has_kept_is_not_sent_again() {
+        let mut download = Download::new(vec![1; 95], 0, 10 + CHUNK_OVERHEAD, 4);
+        assert_eq!(offsets(&mut download, 0), [0, 10, 20, 30]);
+        download.take_ack(&ChunkAck { complete: 73, islands: vec![] }, 5);
+        assert_eq!(download.acknowledged(), 73);
+        assert_eq!(offsets(&mut download, 5), [73, 83, 93]);
+        download.take_ack(&ChunkAck { complete: 95, islands: vec![] }, 9);
+        assert!(download.is_done());
+        assert_eq!(download.acknowledged(), 95);
     }
 
     #[test]

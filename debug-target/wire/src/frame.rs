@@ -21,6 +21,8 @@ pub mod kind {
     pub const PING: u8 = 0x04;
     /// Stream class, host to target: streams that are listened to, and what is missing.
     pub const LISTENING: u8 = 0x05;
+    /// Before a session, host to target: the answer to a challenge, see PROTOCOL.md.
+    pub const PROOF: u8 = 0x06;
     /// Control, target to host: a part of the response to the request with this `seq`.
     pub const RESPONSE: u8 = 0x81;
     /// Event class, target to host: a part of an event.
@@ -31,6 +33,10 @@ pub mod kind {
     pub const PONG: u8 = 0x84;
     /// Stream class, target to host: a sample. Carries the low 8 bits of its number.
     pub const STREAM: u8 = 0x85;
+    /// Before a session, target to host: prove that you know the token.
+    pub const CHALLENGE: u8 = 0x86;
+    /// Before a session, target to host: the host is let in, or (without payload) not.
+    pub const ADMISSION: u8 = 0x87;
 }
 
 /// Ends a frame on the line.

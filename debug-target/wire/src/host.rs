@@ -17,6 +17,9 @@ use crate::timing::Timing;
 /// Payload of requests before the target has told its limits.
 const FIRST_PAYLOAD: usize = 64;
 
+/// Zeros that stand for the fields of Hello that an older target does not send.
+const MISSING_FIELDS: [u8; 16] = [0; 16];
+
 /// Names a request; comes back with its response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Ticket(pub u32);
@@ -53,6 +56,8 @@ pub enum LossReason {
     Silent,
     /// The target is there but a request, or the download, stayed without answer however often it was repeated.
     NoAnswer,
+    /// The target lets nobody in without a token, and none was given.
+    TokenNeeded,
     /// The target has ended the session: it heard nothing of this end for too long, or was started anew.
     Forgotten,
 }
@@ -65,6 +70,9 @@ impl fmt::Display for LossReason {
             }
             LossReason::NoAnswer => {
                 "the target is there but does not answer requests; the line damages too much, or the target is of another make"
+            }
+            LossReason::TokenNeeded => {
+                "the target asks for a token; give the one it was started with (`--token-file`, `tokenFile`, or TECHNOL_TOKEN)"
             }
             LossReason::Forgotten => {
                 "the target has ended the session; it was started anew, or heard nothing from here for a second"
@@ -112,6 +120,11 @@ pub struct HostSession {
     next_ticket: u32,
     next_seq: u8,
     limits: Option<Limits>,
+    features: u32,
+    /// Said about the download before its bytes are there.
+    early_ack: Option<ChunkAck>,
+    /// Requests that were sent again.
+    repeated: u32,
     event_expected: u8,
     event: InOrder,
     event_ack: Option<u8>,
@@ -154,6 +167,9 @@ impl HostSession {
             // A random start keeps a late answer to an earlier session from being taken for ours.
             next_seq: session as u8,
             limits: None,
+            features: 0,
+            early_ack: None,
+            repeated: 0,
             event_expected: 0,
             event: InOrder::default(),
             event_ack: None,
@@ -217,6 +233,18 @@ impl HostSession {
         self.limits
     }
 
+    /// What the target can do, bits of [`feature`](crate::message::feature); 0 before its answer to Hello.
+    #[must_use]
+    pub fn features(&self) -> u32 {
+        self.features
+    }
+
+    /// Requests that were sent again so far: a measure of the cable.
+    #[must_use]
+    pub fn repeated_requests(&self) -> u32 {
+        self.repeated
+    }
+
     /// Frames that arrived damaged so far: a measure of the cable.
     #[must_use]
     pub fn damaged_frames(&self) -> u32 {
@@ -257,6 +285,10 @@ impl HostSession {
             kind::RESPONSE => self.take_response(frame),
             kind::EVENT => self.take_event(frame),
             kind::CHUNK_ACK => self.take_chunk_ack(frame),
+            // A target that knows us has no reason to ask.
+            kind::CHALLENGE if self.limits.is_none() => {
+                self.lose(LossReason::TokenNeeded);
+            }
             kind::STREAM => {
                 let told = self.streams.take(frame.seq, &frame.payload, self.now);
                 let told = told.map(|t| t.map_or_else(HostEvent::Stale, HostEvent::Sample));
@@ -272,10 +304,13 @@ impl HostSession {
         in_flight.tries = in_flight.tries.min(1);
         let Some(message) = self.answer.add(frame.seq, &frame.payload) else { return };
         // An answer of a later version says nothing to us, but it is one.
-        let response = postcard::from_bytes(&message).unwrap_or(Response::Failed(Failure::Unsupported));
+        let response = decode_response(message, in_flight.is_hello);
         if in_flight.is_hello {
             match &response {
-                Response::Hello { limits, .. } => self.limits = Some(*limits),
+                Response::Hello { limits, features, .. } => {
+                    self.limits = Some(*limits);
+                    self.features = *features;
+                }
                 Response::Failed(_) => {}
                 _ => return, // left over from another session
             }
@@ -286,6 +321,7 @@ impl HostSession {
         }
         let Some(done) = self.in_flight.take() else { return };
         if done.is_download {
+            self.early_ack = None;
             if response == Response::Done {
                 self.download_tag = done.seq;
             } else {
@@ -322,8 +358,13 @@ impl HostSession {
     }
 
     fn take_chunk_ack(&mut self, frame: &Frame) {
-        let Some(download) = self.download.as_mut().filter(|d| d.tag == frame.seq) else { return };
         let Ok(ack) = postcard::from_bytes::<ChunkAck>(&frame.payload) else { return };
+        let Some(download) = self.download.as_mut().filter(|d| d.tag == frame.seq) else {
+            if self.download.is_none() && frame.seq == self.download_tag {
+                self.early_ack = Some(ack);
+            }
+            return;
+        };
         let before = download.acknowledged();
         download.take_ack(&ack, self.now);
         let (done, total) = (download.acknowledged(), download.total());
@@ -359,6 +400,7 @@ impl HostSession {
                     return self.lose(LossReason::NoAnswer);
                 }
                 request.cursor = 0;
+                self.repeated = self.repeated.saturating_add(1);
                 deadline = now;
             } else {
                 deadline = deadline.min(request.since + wait);
@@ -509,8 +551,21 @@ impl HostSession {
         let Some(limits) = self.limits.filter(|_| !announcing) else { return };
         if let Some(bytes) = self.bulk.take() {
             let window = usize::from(limits.window);
-            self.download = Some(Download::new(bytes, self.download_tag, self.max_payload(), window));
+            let mut download = Download::new(bytes, self.download_tag, self.max_payload(), window);
+            if let Some(ack) = self.early_ack.take() {
+                download.take_ack(&ack, self.now);
+            }
+            self.download = Some(download);
             self.finish_download();
         }
     }
+}
+
+/// An answer; of one of a later version only that it is one. The answer to Hello may be shorter or longer than this
+/// version's: what is missing is 0, and what is behind the fields known here is passed over.
+fn decode_response(mut message: Vec<u8>, is_hello: bool) -> Response {
+    if is_hello {
+        message.extend_from_slice(&MISSING_FIELDS);
+    }
+    postcard::from_bytes(&message).unwrap_or(Response::Failed(Failure::Unsupported))
 }

@@ -20,11 +20,13 @@ pub mod frame;
 mod host;
 pub mod message;
 mod parts;
+mod remote_files;
 mod silence;
 mod stream;
 mod target;
 mod timing;
 
+pub use arrived::Arrived;
 pub use frame::{Frame, FrameDecoder, FrameError};
 pub use host::{HostEvent, HostSession, LossReason, Ticket};
 pub use stream::{Freshness, Layout, MechanismSample, Sample, SampleSource, Streams, TraceSample};

@@ -8,11 +8,28 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::remote_files::{Entry, FileAnswer, FileRequest};
+
 /// Version of the protocol; peers with another major number do not talk.
 pub const PROTOCOL_VERSION: u16 = 1;
 
 /// Number of [`Request`] variants of this version; higher variant numbers are of a later version.
-pub const KNOWN_REQUESTS: u32 = 23;
+pub const KNOWN_REQUESTS: u32 = 26;
+
+/// What a target can do beyond the first version of this protocol: bits of `features` in [`Response::Hello`]. A host
+/// asks for such a thing only when its bit is set, and passes over bits that it does not know.
+pub mod feature {
+    /// [`Request::OnLinkLost`](super::Request::OnLinkLost).
+    pub const LOST_POLICY: u32 = 1;
+    /// [`Request::Echo`](super::Request::Echo).
+    pub const ECHO: u32 = 1 << 1;
+    /// [`Request::Files`](super::Request::Files), and a folder is offered.
+    pub const FILES: u32 = 1 << 2;
+    /// A download that was cut goes on where it was, when it is announced again.
+    pub const RESUMED_DOWNLOAD: u32 = 1 << 3;
+    /// [`Request::Subscribe`](super::Request::Subscribe).
+    pub const STREAMS: u32 = 1 << 4;
+}
 
 /// First 16 bytes of the SHA-256 of the encoded program.
 pub type ContentHash = [u8; 16];
@@ -121,6 +138,28 @@ pub enum Request {
         /// Its number.
         id: u8,
     },
+    /// What to do with a held program when the host is gone without a Goodbye. Holds until another one is told, or
+    /// a Goodbye.
+    OnLinkLost(LostPolicy),
+    /// Sends these bytes back, to measure the line; answered with [`Response::Echo`].
+    Echo {
+        /// Any bytes.
+        bytes: Vec<u8>,
+    },
+    /// Something about files at the target.
+    Files(FileRequest),
+}
+
+/// What becomes of a held program when its host is lost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LostPolicy {
+    /// It runs on, without break-points.
+    #[default]
+    RunOn,
+    /// It stays held, with its break-points, until a host comes back.
+    StayStopped,
+    /// The PLC is stopped through MODULE_DONE.
+    StopPlc,
 }
 
 /// How to go on from a stop.
@@ -152,8 +191,10 @@ pub enum Response {
         limits: Limits,
         /// Counts target starts: a change tells the host that everything was lost.
         boot: u32,
-        /// State at this moment.
+        /// State at this moment, with the hash of the program.
         status: Status,
+        /// What this target can do, bits of [`feature`].
+        features: u32,
     },
     /// To [`Request::Status`].
     Status(Status),
@@ -174,6 +215,15 @@ pub enum Response {
     Sequences(Vec<SequenceState>),
     /// Refused or impossible.
     Failed(Failure),
+    /// To [`Request::Echo`].
+    Echo {
+        /// The same bytes.
+        bytes: Vec<u8>,
+        /// Frames that arrived damaged at the target since its link was opened.
+        damaged: u32,
+    },
+    /// To [`Request::Files`].
+    Files(FileAnswer),
 }
 
 /// Why a request failed.
@@ -203,6 +253,8 @@ pub enum Failure {
     NotFound(String),
     /// Longer than [`Limits`] allow.
     TooLarge,
+    /// Not permitted, or the system of the target does not do it; the text says why.
+    Refused(String),
 }
 
 /// Event class, target to host: repeated until acknowledged.

@@ -295,6 +295,16 @@ impl TargetSession {
         queue.extend(parts.into_iter().map(|p| (kind::RESPONSE, seq, p)));
     }
 
+    /// The target has kept these bytes of the download that it has just agreed to with `Done`: they need not be sent
+    /// again.
+    pub fn already_arrived(&mut self, arrived: Arrived) {
+        let reception = self.session.as_mut().and_then(|s| s.reception.as_mut());
+        if let Some(reception) = reception.filter(|_| !arrived.is_empty()) {
+            reception.arrived = arrived;
+            self.chunk_ack = true;
+        }
+    }
+
     /// Queues an event for the host. Without a session it is dropped: a host learns the state from Hello.
     /// When the host does not keep up, messages, overruns and log lines are dropped and counted.
     pub fn event(&mut self, event: &Event) {

@@ -3,8 +3,10 @@
 
 use proptest::prelude::*;
 use technol_wire::frame::{self, kind};
-use technol_wire::message::{Failure, KNOWN_REQUESTS, Limits, PROTOCOL_VERSION, Request, Response};
-use technol_wire::{Frame, FrameDecoder, HostSession, TargetInput, TargetSession};
+use technol_wire::message::{
+    Event, Failure, FileRequest, KNOWN_REQUESTS, Limits, PROTOCOL_VERSION, Request, Response,
+};
+use technol_wire::{Frame, FrameDecoder, HostEvent, HostSession, LossReason, TargetInput, TargetSession};
 
 const LIMITS: Limits = Limits { max_payload: 240, max_read: 4096, max_breakpoints: 256, window: 8 };
 
@@ -106,18 +108,22 @@ impl Bench {
         Bench { target: TargetSession::new(LIMITS), seq: 0 }
     }
 
-    fn open() -> Self {
-        let mut bench = Bench::new();
-        let hello = Request::Hello { version: PROTOCOL_VERSION, session: 1 };
-        assert_eq!(bench.say(&postcard::to_allocvec(&hello).unwrap()), []);
-        assert!(matches!(bench.target.next(), Some(TargetInput::Request { .. })));
+    fn hello() -> Response {
         let status = technol_wire::message::Status {
             plc: technol_wire::message::PlcState::Empty,
             held: false,
             cycle: 0,
             program: None,
         };
-        let answer = Response::Hello { version: PROTOCOL_VERSION, limits: LIMITS, boot: 0, status };
+        Response::Hello { version: PROTOCOL_VERSION, limits: LIMITS, boot: 0, status, features: 0 }
+    }
+
+    fn open() -> Self {
+        let mut bench = Bench::new();
+        let hello = Request::Hello { version: PROTOCOL_VERSION, session: 1 };
+        assert_eq!(bench.say(&postcard::to_allocvec(&hello).unwrap()), []);
+        assert!(matches!(bench.target.next(), Some(TargetInput::Request { .. })));
+        let answer = Bench::hello();
         bench.target.respond(0, &answer);
         assert_eq!(bench.answers(), [answer]);
         bench.seq = 1;
@@ -195,6 +201,75 @@ fn the_last_four_answers_are_given_again_and_older_requests_are_ignored() {
 
 #[test]
 fn the_number_of_known_requests_is_up_to_date() {
-    let last = Request::Unsubscribe { id: 0 };
+    let last = Request::Files(FileRequest::Delete { path: String::new() });
     assert_eq!(u32::from(postcard::to_allocvec(&last).unwrap()[0]), KNOWN_REQUESTS - 1);
+}
+
+/// What a host of this version hears from a target whose answer to Hello is `bytes`.
+fn greeted(bytes: &[u8]) -> (HostSession, Option<HostEvent>) {
+    let mut host = HostSession::new(7);
+    host.poll(0);
+    let hello = decode_all(&host.transmit(), 240);
+    let mut payload = vec![0x80];
+    payload.extend_from_slice(bytes);
+    let mut line = Vec::new();
+    frame::encode(kind::RESPONSE, hello[0].seq, &payload, &mut line);
+    host.receive(0, &line);
+    let heard = host.next();
+    (host, heard)
+}
+
+#[test]
+fn an_answer_to_hello_that_is_shorter_or_longer_is_understood() {
+    let status = technol_wire::message::Status {
+        plc: technol_wire::message::PlcState::Empty,
+        held: false,
+        cycle: 9,
+        program: None,
+    };
+    let hello =
+        |features| Response::Hello { version: PROTOCOL_VERSION, limits: LIMITS, boot: 5, status, features };
+    let now = postcard::to_allocvec(&hello(3)).unwrap();
+
+    let (_, heard) = greeted(&now[..now.len() - 1]);
+    assert_eq!(
+        heard,
+        Some(HostEvent::Response(technol_wire::Ticket(0), hello(0))),
+        "before there were features"
+    );
+    let mut later = now.clone();
+    later.extend_from_slice(b"what a later version tells besides");
+    let (host, heard) = greeted(&later);
+    assert_eq!(heard, Some(HostEvent::Response(technol_wire::Ticket(0), hello(3))));
+    assert_eq!(host.features(), 3);
+}
+
+#[test]
+fn answers_and_events_of_a_later_version_are_passed_over() {
+    let mut host = greeted(&postcard::to_allocvec(&Bench::hello()).unwrap()).0;
+    let ticket = host.request(Request::Status);
+    host.poll(1);
+    let seq = decode_all(&host.transmit(), 240)[0].seq;
+    let mut line = Vec::new();
+    frame::encode(kind::RESPONSE, seq, &[0x80, 120, 1, 2, 3], &mut line);
+    frame::encode(kind::EVENT, 0, &[0x80, 120, 9, 9], &mut line);
+    let known = postcard::to_allocvec(&Event::Resumed).unwrap();
+    frame::encode(kind::EVENT, 1, &[0x80, known[0]], &mut line);
+    frame::encode(0xEE, 1, &[1, 2, 3], &mut line);
+    host.receive(2, &line);
+    assert_eq!(host.next(), Some(HostEvent::Response(ticket, Response::Failed(Failure::Unsupported))));
+    assert_eq!(host.next(), Some(HostEvent::Event(Event::Resumed)));
+    assert_eq!(host.next(), None);
+    host.poll(3);
+    let said = decode_all(&host.transmit(), 240);
+    assert_eq!((said[0].kind, said[0].seq), (kind::EVENT_ACK, 1), "the unknown one is acknowledged too");
+}
+
+#[test]
+fn a_target_that_wants_a_token_is_not_taken_for_a_silent_one() {
+    let mut host = HostSession::new(7);
+    let mut line = Vec::new();
+    frame::encode(kind::CHALLENGE, 0, &[7; 16], &mut line);
+    host.receive(0, &line);
+    assert_eq!(host.next(), Some(HostEvent::LinkLost(LossReason::TokenNeeded)));
 }

@@ -86,7 +86,7 @@ fn a_program_that_is_there_is_not_downloaded_again() {
 
 #[test]
 fn the_target_of_the_configuration_wins_over_that_of_the_manifest() {
-    let address = |text: &str| TargetSpec::Address(text.into());
+    let address = |text: &str| TargetSpec::Address { address: text.into(), token_file: None };
     for (asked, manifest, expected) in [
         (Some("tcp:plc:5000"), None, address("tcp:plc:5000")),
         (Some("tcp:plc:5000"), Some("serial:/dev/ttyS0@9600"), address("tcp:plc:5000")),

@@ -192,8 +192,12 @@ impl Cable {
         Cable { to_target: Line::new(options, seed * 2 + 1), to_host: Line::new(options, seed * 2 + 2) }
     }
 
-    /// Cuts or mends it.
+    /// Cuts or mends it. What is on its way when it is cut is lost.
     pub fn set_cut(&mut self, cut: bool) {
+        if cut {
+            self.to_target.clear();
+            self.to_host.clear();
+        }
         self.to_target.cut = cut;
         self.to_host.cut = cut;
     }

@@ -90,9 +90,13 @@ impl World {
         match input {
             TargetInput::Request { seq, request } => {
                 let response = match &request {
-                    Request::Hello { version, .. } => {
-                        Response::Hello { version: *version, limits: limits(), boot: 7, status: status() }
-                    }
+                    Request::Hello { version, .. } => Response::Hello {
+                        version: *version,
+                        limits: limits(),
+                        boot: 7,
+                        status: status(),
+                        features: 0,
+                    },
                     Request::Download { len, .. } if *len > MOST_DOWNLOAD => {
                         Response::Failed(Failure::TooLarge)
                     }

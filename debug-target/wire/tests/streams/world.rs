@@ -255,7 +255,7 @@ impl World {
         let TargetInput::Request { seq, request } = input else { return };
         let response = match request {
             Request::Hello { version, .. } => {
-                Response::Hello { version, limits: limits(), boot: 7, status: status() }
+                Response::Hello { version, limits: limits(), boot: 7, status: status(), features: 0 }
             }
             Request::Subscribe(subscription) => {
                 let begun = self.target.streams().subscribe(&subscription, limits().max_payload, &self.plant);

@@ -1,0 +1,298 @@
+//! What goes over a link, written down as it goes: one line for each piece of bytes, with the microsecond, the
+//! direction (`>` to the target, `<` from it) and the bytes in hexadecimal. [`text_of_recording`] says what it means.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use technol_wire::frame::{MAX_PAYLOAD, kind};
+use technol_wire::message::{Chunk, ChunkAck, Event, Limits, Request, Response};
+use technol_wire::{Frame, FrameDecoder, Timing};
+
+use crate::link::Link;
+
+/// First line of a recording.
+const HEAD: &str = "# technol link recording 1: microseconds, > to the target or < from it, bytes";
+
+/// A recording cannot be made or read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordingError {
+    /// The file cannot be written.
+    #[error("cannot write the recording {path}: {source}")]
+    Write {
+        /// Its name.
+        path: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// It is something else.
+    #[error(
+        "line {line} is no part of a recording: {what}; `--record FILE` of `technol dap` or `target` writes one"
+    )]
+    Line {
+        /// 1-based.
+        line: usize,
+        /// What is wrong.
+        what: &'static str,
+    },
+}
+
+/// A file that links are recorded into, one after another.
+#[derive(Clone)]
+pub struct Recording {
+    out: Arc<Mutex<BufWriter<File>>>,
+    began: Instant,
+}
+
+impl Recording {
+    /// Begins a file.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn create(path: &Path) -> Result<Recording, RecordingError> {
+        let failed = |source| RecordingError::Write { path: path.display().to_string(), source };
+        let mut out = BufWriter::new(File::create(path).map_err(failed)?);
+        writeln!(out, "{HEAD}").and_then(|()| out.flush()).map_err(failed)?;
+        Ok(Recording { out: Arc::new(Mutex::new(out)), began: Instant::now() })
+    }
+
+    /// Records a link from here on. `at_target`: this is the target's end of it.
+    #[must_use]
+    pub fn of(&self, link: Box<dyn Link>, at_target: bool) -> RecordedLink {
+        RecordedLink { link, recording: self.clone(), sends: if at_target { '<' } else { '>' } }
+    }
+
+    fn note(&self, direction: char, bytes: &[u8]) {
+        let mut line = format!("{} {direction} ", self.began.elapsed().as_micros());
+        for byte in bytes {
+            let _ = write!(line, "{byte:02x}");
+        }
+        let mut out = self.out.lock().unwrap_or_else(PoisonError::into_inner);
+        // A full disk must not end the session that is recorded; the recording then ends early.
+        let _ = writeln!(out, "{line}").and_then(|()| out.flush());
+    }
+}
+
+/// A link that is recorded.
+pub struct RecordedLink {
+    link: Box<dyn Link>,
+    recording: Recording,
+    sends: char,
+}
+
+impl Link for RecordedLink {
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.recording.note(self.sends, bytes);
+        self.link.send(bytes)
+    }
+
+    fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        let count = self.link.receive(buffer, timeout)?;
+        if count > 0 {
+            self.recording.note(if self.sends == '>' { '<' } else { '>' }, &buffer[..count]);
+        }
+        Ok(count)
+    }
+
+    fn bytes_per_second(&self) -> Option<u32> {
+        self.link.bytes_per_second()
+    }
+
+    fn outlives_host(&self) -> bool {
+        self.link.outlives_host()
+    }
+
+    fn limits(&self) -> Limits {
+        self.link.limits()
+    }
+
+    fn timing(&self) -> Timing {
+        self.link.timing()
+    }
+}
+
+/// A recording in words, a line for each frame.
+///
+/// # Errors
+/// A line that is no part of a recording.
+pub fn text_of_recording(recording: &str) -> Result<String, RecordingError> {
+    let mut text = String::new();
+    let mut ends = [Reader::new("host"), Reader::new("target")];
+    for (at, line) in recording.lines().enumerate() {
+        if line.starts_with('#') || line.trim().is_empty() {
+            continue;
+        }
+        let wrong = |what| RecordingError::Line { line: at + 1, what };
+        let mut words = line.split_whitespace();
+        let micros: u64 =
+            words.next().and_then(|w| w.parse().ok()).ok_or_else(|| wrong("the time is missing"))?;
+        let end = match words.next() {
+            Some(">") => &mut ends[0],
+            Some("<") => &mut ends[1],
+            _ => return Err(wrong("the direction is missing")),
+        };
+        let bytes = words.next().and_then(bytes_of).ok_or_else(|| wrong("the bytes are not hexadecimal"))?;
+        for said in end.read(&bytes) {
+            let _ = writeln!(text, "{:>12.6}  {:<6}  {said}", micros as f64 / 1e6, end.name);
+        }
+    }
+    Ok(text)
+}
+
+fn bytes_of(hex: &str) -> Option<Vec<u8>> {
+    if !hex.is_ascii() || !hex.len().is_multiple_of(2) {
+        return None;
+    }
+    (0..hex.len()).step_by(2).map(|at| u8::from_str_radix(&hex[at..at + 2], 16).ok()).collect()
+}
+
+/// One direction: frames out of bytes, messages out of frames.
+struct Reader {
+    name: &'static str,
+    decoder: FrameDecoder,
+    seq: u8,
+    parts: Vec<Option<Vec<u8>>>,
+}
+
+impl Reader {
+    fn new(name: &'static str) -> Reader {
+        Reader { name, decoder: FrameDecoder::new(usize::from(MAX_PAYLOAD)), seq: 0, parts: Vec::new() }
+    }
+
+    fn read(&mut self, bytes: &[u8]) -> Vec<String> {
+        let mut said = Vec::new();
+        for byte in bytes {
+            match self.decoder.push(*byte) {
+                Some(Ok(frame)) => said.push(self.frame(&frame)),
+                Some(Err(error)) => said.push(format!("DAMAGED: {error}")),
+                None => {}
+            }
+        }
+        said
+    }
+
+    fn frame(&mut self, frame: &Frame) -> String {
+        let Frame { kind, seq, payload } = frame;
+        match *kind {
+            kind::REQUEST => self.part::<Request>("request", *seq, payload),
+            kind::RESPONSE => self.part::<Response>("response", *seq, payload),
+            kind::EVENT => self.part::<Event>("event", *seq, payload),
+            kind::EVENT_ACK => format!("events up to {seq} have arrived"),
+            kind::CHUNK => match postcard::from_bytes::<Chunk>(payload) {
+                Ok(chunk) => {
+                    format!("piece of download {seq}: {} bytes at {}", chunk.bytes.len(), chunk.offset)
+                }
+                Err(_) => "piece of a download that is not understood".to_owned(),
+            },
+            kind::CHUNK_ACK => match postcard::from_bytes::<ChunkAck>(payload) {
+                Ok(ack) if ack.islands.is_empty() => {
+                    format!("download {seq} has arrived up to {}", ack.complete)
+                }
+                Ok(ack) => {
+                    format!("download {seq} has arrived up to {}, and {:?}", ack.complete, ack.islands)
+                }
+                Err(_) => "state of a download that is not understood".to_owned(),
+            },
+            kind::PING => "ping".to_owned(),
+            kind::PONG => "pong".to_owned(),
+            kind::CHALLENGE => "asks for the token".to_owned(),
+            kind::PROOF => "proves that it knows the token".to_owned(),
+            kind::ADMISSION if payload.is_empty() => "does not let the host in".to_owned(),
+            kind::ADMISSION => "lets the host in".to_owned(),
+            other => format!("kind {other:02x}h, number {seq}, {} bytes", payload.len()),
+        }
+    }
+
+    /// A part of a message, and with the last missing one the message.
+    fn part<T: serde::de::DeserializeOwned + std::fmt::Debug>(
+        &mut self,
+        what: &str,
+        seq: u8,
+        payload: &[u8],
+    ) -> String {
+        let Some((head, piece)) = payload.split_first() else {
+            return format!("{what} {seq} without content");
+        };
+        let (index, last) = (usize::from(head & 0x7F), head & 0x80 != 0);
+        let is_event = what == "event";
+        // The parts of an event have numbers of their own, and come in order.
+        if index == 0 || !is_event && seq != self.seq {
+            self.parts.clear();
+        }
+        self.seq = seq;
+        if self.parts.len() <= index {
+            self.parts.resize(index + 1, None);
+        }
+        self.parts[index] = Some(piece.to_vec());
+        if !last {
+            return format!("{what} {seq}, part {}", index + 1);
+        }
+        if self.parts.iter().any(Option::is_none) {
+            return format!("{what} {seq}, last part, others are missing");
+        }
+        let message: Vec<u8> = self.parts.iter().flatten().flatten().copied().collect();
+        match postcard::from_bytes::<T>(&message) {
+            Ok(message) => format!("{what} {seq}: {message:?}"),
+            Err(_) => format!("{what} {seq} of another version: {} bytes", message.len()),
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // tests
+mod tests {
+    use super::*;
+    use crate::pipe::pair;
+    use technol_wire::{HostSession, TargetInput, TargetSession};
+
+    #[test]
+    fn a_recorded_session_can_be_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("link.log");
+        let recording = Recording::create(&path).unwrap();
+        let (near, mut far) = pair();
+        let mut near = recording.of(Box::new(near), false);
+        let mut host = HostSession::new(5);
+        let mut target = TargetSession::new(near.limits());
+        host.poll(0);
+        near.send(&host.transmit()).unwrap();
+        let mut buffer = [0; 1000];
+        let count = far.receive(&mut buffer, Duration::ZERO).unwrap();
+        target.receive(0, &buffer[..count]);
+        assert!(matches!(target.next(), Some(TargetInput::Request { seq: 5, .. })));
+        target.respond(5, &Response::Failed(technol_wire::message::Failure::Version));
+        far.send(&target.transmit()).unwrap();
+        far.send(&[1, 2, 3, 0]).unwrap();
+        near.receive(&mut buffer, Duration::from_secs(1)).unwrap();
+        drop(near);
+
+        let text = text_of_recording(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        let said: Vec<&str> = text.lines().map(|line| line[12..].trim()).collect();
+        assert_eq!(
+            said,
+            [
+                "host    request 5: Hello { version: 1, session: 5 }",
+                "target  response 5: Failed(Version)",
+                "target  DAMAGED: frame is too short",
+            ]
+        );
+    }
+
+    #[test]
+    fn what_is_no_recording_is_refused_with_its_line() {
+        for (text, line, what) in [
+            ("hello", 1, "the time is missing"),
+            ("# head\n12 x 00", 2, "the direction is missing"),
+            ("12 > 0", 1, "the bytes are not hexadecimal"),
+            ("12 > éé", 1, "the bytes are not hexadecimal"),
+            ("12 >", 1, "the bytes are not hexadecimal"),
+        ] {
+            let error = text_of_recording(text).unwrap_err();
+            let expected = format!("line {line} is no part of a recording: {what};");
+            assert!(error.to_string().starts_with(&expected), "{text}: {error}");
+        }
+    }
+}

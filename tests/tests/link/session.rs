@@ -1,0 +1,176 @@
+//! A debug session of an editor, over a cable that damages one bit in ten thousand and is cut for a second every
+//! twenty: nothing that is shown is wrong, nothing is done twice, and it comes to its end.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+use technol_dap::client::{Client, ClientError, Mark};
+use technol_dap::{FileBuilder, Surroundings};
+use technol_link_model::{Cuts, Faults, LineOptions};
+use technol_target::TargetOptions;
+use technol_wire::frame::kind;
+
+use crate::lathe::Lathe;
+use crate::probe::SECOND;
+use crate::world::Shared;
+
+const CALL: &str = "PROC_CALL TURRET_STEPS";
+
+struct Editor {
+    client: Client,
+    lost: u32,
+}
+
+impl Editor {
+    fn new(shared: &Shared) -> Editor {
+        let surroundings =
+            Surroundings { connector: Arc::new(shared.clone()), builder: Arc::new(FileBuilder) };
+        let mut client = Client::in_process(&surroundings).expect("an adapter");
+        client.set_patience(Duration::from_secs(120));
+        Editor { client, lost: 0 }
+    }
+
+    /// Asks until the link is there to answer.
+    fn ask(&mut self, command: &str, arguments: &Value) -> Value {
+        for _ in 0..600 {
+            match self.client.request(command, arguments.clone()) {
+                Ok(body) => return body,
+                Err(ClientError::Refused { message, .. }) if message.contains("link") => {
+                    self.lost += 1;
+                    std::thread::sleep(Duration::from_millis(50));
+                }
+                Err(error) => panic!("{command}: {error}"),
+            }
+        }
+        panic!("{command}: the link never came back");
+    }
+
+    /// A step; a link that is lost meanwhile may or may not have let the step happen, but then says where it is.
+    fn step(&mut self, thread: i64) -> i64 {
+        let mark = self.client.mark();
+        match self.client.request("stepIn", json!({ "threadId": thread })) {
+            Ok(_) => {}
+            Err(ClientError::Refused { message, .. }) if message.contains("link") => self.lost += 1,
+            Err(error) => panic!("{error}"),
+        }
+        let stopped = self.client.event(mark, "stopped").expect("a stop");
+        stopped["threadId"].as_i64().expect("a thread")
+    }
+}
+
+fn launch(lathe: &Lathe) -> Value {
+    json!({
+        "program": lathe.folder(), "target": "serial:modelled", "onLinkLost": "stayStopped", "reconnect": 60,
+    })
+}
+
+#[test]
+fn a_whole_session_on_a_bad_cable() {
+    let lathe = Lathe::copy();
+    let line = LineOptions {
+        faults: Faults::bit_errors(1e-4),
+        cuts: Some(Cuts { every_us: 20 * SECOND, len_us: SECOND }),
+        ..LineOptions::default()
+    };
+    let shared = Shared::new(line, TargetOptions::default());
+    let mut editor = Editor::new(&shared);
+    let turret = lathe.path("turret.plc");
+    let call = lathe.line("turret.plc", CALL);
+    editor.client.start(launch(&lathe), &[(&turret, &[call])]).expect("the program starts");
+    let stopped = editor.client.event(Mark::START, "stopped").expect("the break-point");
+    assert_eq!(stopped["reason"], "breakpoint");
+    let mut thread = stopped["threadId"].as_i64().expect("a thread");
+
+    let steps = if std::env::var_os("TECHNOL_FRAMES").is_some() { 500 } else { 120 };
+    for n in 0..steps {
+        thread = editor.step(thread);
+        if n % 20 == 0 {
+            // What is shown is what is in the machine.
+            let shown = editor.ask("evaluate", &json!({ "expression": "DR64", "context": "watch" }));
+            let world = shared.world();
+            let registers = world.core.simulation().expect("a program").runtime().registers();
+            let shown = shown["result"].as_str().expect("a value");
+            assert!(shown.starts_with(&registers.dr.to_string()), "{shown} is not {}", registers.dr);
+        }
+        if n % 30 == 0 {
+            // Set, and read back.
+            let value = n * 3 + 1;
+            let set = json!({ "expression": "BX", "value": value.to_string() });
+            editor.ask("setExpression", &set);
+            let world = shared.world();
+            let bx = world.core.simulation().expect("a program").runtime().registers().bx;
+            assert_eq!(bx, value);
+        }
+    }
+    let mark = editor.client.mark();
+    editor.ask("setBreakpoints", &json!({ "source": { "path": turret }, "breakpoints": [{ "line": call }] }));
+    editor.ask("continue", &json!({ "threadId": thread }));
+    let again = editor.client.event_where(mark, "stopped", |b| b["reason"] == "breakpoint");
+    again.expect("the break-point is still there");
+    let world = shared.world();
+    assert!(world.opened >= 1);
+    eprintln!("{} s of virtual time, {} links, {} refusals", world.now / SECOND, world.opened, editor.lost);
+}
+
+#[test]
+fn an_editor_hears_of_a_cut_within_a_second_and_finds_its_stop_again() {
+    let lathe = Lathe::copy();
+    let shared = Shared::new(LineOptions::default(), TargetOptions::default());
+    let mut editor = Editor::new(&shared);
+    let turret = lathe.path("turret.plc");
+    let call = lathe.line("turret.plc", CALL);
+    editor.client.start(launch(&lathe), &[(&turret, &[call])]).expect("the program starts");
+    editor.client.event(Mark::START, "stopped").expect("the break-point");
+
+    let mark = editor.client.mark();
+    let cut_at = {
+        let mut world = shared.world();
+        world.cable.set_cut(true);
+        world.now
+    };
+    let lost =
+        editor.client.event_where(mark, "output", |b| b["category"] == "important").expect("it is told");
+    let text = lost["output"].as_str().expect("a text");
+    assert!(text.starts_with("the link to the target is lost") && text.contains("stays so"), "{text}");
+    // No time passes without a link, but for the tries to open one.
+    let heard_at = shared.world().now;
+    assert!(heard_at - cut_at <= SECOND + 200_000, "{} µs", heard_at - cut_at);
+    let refused = editor.client.request("stackTrace", json!({ "threadId": 1 }));
+    drop(refused); // the stack came along with the stop, so it may be there
+
+    shared.world().cable.set_cut(false);
+    let back = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("is back"));
+    editor.client.event_where(mark, "output", back).expect("the link is back");
+    let stopped = editor.client.event(mark, "stopped").expect("the stop is told again");
+    let thread = stopped["threadId"].as_i64().expect("a thread");
+    let mark = editor.client.mark();
+    editor.ask("continue", &json!({ "threadId": thread }));
+    let next = editor.client.event(mark, "stopped").expect("the break-point is armed again");
+    assert_eq!(next["reason"], "breakpoint");
+}
+
+#[test]
+fn a_stop_is_shown_without_any_further_question() {
+    let lathe = Lathe::copy();
+    let shared = Shared::new(LineOptions::default(), TargetOptions::default());
+    let mut editor = Editor::new(&shared);
+    let turret = lathe.path("turret.plc");
+    let call = lathe.line("turret.plc", CALL);
+    editor.client.start(launch(&lathe), &[(&turret, &[call])]).expect("the program starts");
+    let stopped = editor.client.event(Mark::START, "stopped").expect("the break-point");
+    let mut thread = stopped["threadId"].as_i64().expect("a thread");
+    for _ in 0..10 {
+        let from = shared.world().passed.len();
+        thread = editor.step(thread);
+        let frame = editor.client.top_frame(thread).expect("a frame");
+        let registers = editor.client.scope(&frame, "Registers").expect("the registers");
+        assert!(!registers.is_empty());
+        let world = shared.world();
+        let passed = &world.passed[from..];
+        let asked: Vec<_> = passed.iter().filter(|f| f.from_host && f.kind == kind::REQUEST).collect();
+        assert_eq!(asked.len(), 1, "the step itself, and nothing for stack and registers: {passed:?}");
+        let stop = passed.iter().find(|f| !f.from_host && f.kind == kind::EVENT).expect("the stop");
+        assert!(stop.at - asked[0].at <= 6_000, "{} µs", stop.at - asked[0].at);
+    }
+}
