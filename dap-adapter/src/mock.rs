@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use technol_image::container::{content_hash, decode_program};
 use technol_wire::message::{
     BreakpointState, Event, Failure, Frame, Limits, PROTOCOL_VERSION, PlcState, Registers, Request, Response,
-    SequenceState, Status, StopReason, Stopped,
+    SequenceState, Status, StopReason, Stopped, feature,
 };
 use technol_wire::{MechanismSample, SampleSource, TargetInput, TargetSession, TraceSample};
 
@@ -287,9 +287,13 @@ impl SampleSource for State {
 impl State {
     fn answer(&mut self, request: Request, limits: Limits) -> Response {
         match request {
-            Request::Hello { .. } => {
-                Response::Hello { version: self.version, limits, boot: 1, status: self.status, features: 0 }
-            }
+            Request::Hello { .. } => Response::Hello {
+                version: self.version,
+                limits,
+                boot: 1,
+                status: self.status,
+                features: feature::STREAMS,
+            },
             Request::Status => Response::Status(self.status),
             Request::OnLinkLost(_) => Response::Done,
             Request::Echo { .. } | Request::Files(_) => Response::Failed(Failure::Unsupported),

@@ -18,6 +18,8 @@ pub(crate) struct Told<T> {
     pub(crate) value: T,
     /// Samples are missing: it may be different by now.
     pub(crate) stale: bool,
+    /// The PLC cycle it is of, low 32 bits.
+    pub(crate) cycle: u32,
 }
 
 /// What is told about an item.
@@ -106,10 +108,9 @@ impl Live {
         self.streams.values_mut().for_each(|s| s.told = true);
     }
 
-    /// PLC cycle of the newest sample, low 32 bits.
-    pub(crate) fn cycle(&self) -> Option<u32> {
-        let newest = self.streams.values().filter_map(|s| s.sample.as_ref());
-        newest.max_by_key(|s| s.number).map(|s| s.cycle)
+    /// Something has been sampled.
+    pub(crate) fn has_samples(&self) -> bool {
+        self.streams.values().any(|s| s.sample.is_some())
     }
 
     /// Whether a sample is newer than all that was written.
@@ -124,8 +125,10 @@ impl Live {
             let mut slot = 0;
             for other in items {
                 if other == item {
-                    let values = stream.sample.as_ref()?.values.get(slot..slot + slots(item.mode))?;
-                    return Some(Told { value: reading(item.mode, values)?, stale: stream.stale });
+                    let sample = stream.sample.as_ref()?;
+                    let values = sample.values.get(slot..slot + slots(item.mode))?;
+                    let value = reading(item.mode, values)?;
+                    return Some(Told { value, stale: stream.stale, cycle: sample.cycle });
                 }
                 slot += slots(other.mode);
             }
@@ -170,7 +173,7 @@ impl Live {
                 line: *line as u16,
                 since: if *active == 1 { since } else { 0 },
             };
-            return Some(Told { value, stale: !self.is_trusted(stream) });
+            return Some(Told { value, stale: !self.is_trusted(stream), cycle: sample.cycle });
         }
         None
     }
@@ -180,9 +183,10 @@ impl Live {
         for stream in self.streams.values() {
             let Subject::Trace { pcs, .. } = &stream.subscription.subject else { continue };
             let Some(at) = pcs.iter().position(|n| *n == pc) else { continue };
-            let [ran, rlo, dr] = stream.sample.as_ref()?.values.get(at * 3..at * 3 + 3)? else { return None };
+            let sample = stream.sample.as_ref()?;
+            let [ran, rlo, dr] = sample.values.get(at * 3..at * 3 + 3)? else { return None };
             let value = Line { ran: *ran == 1, rlo: *rlo == 1, dr: *dr as u32 };
-            return Some(Told { value, stale: stream.stale });
+            return Some(Told { value, stale: stream.stale, cycle: sample.cycle });
         }
         None
     }

@@ -23,7 +23,6 @@ export interface Mechanism {
 
 /** Body of the event `technol/watch`. */
 export interface WatchEvent {
-  cycle?: number;
   watches: Watch[];
   mechanisms?: Mechanism[];
 }
@@ -38,7 +37,6 @@ export interface TracedLine {
 
 /** Body of the event `technol/trace`. */
 export interface TraceEvent {
-  cycle?: number;
   lines: TracedLine[];
 }
 

@@ -23,13 +23,11 @@ fn watch(site: &Site, lathe: &Lathe) {
     let counted = |b: &Value| b["watches"][0]["stale"] == false && b["watches"][1]["stale"] == false;
     let first = client.event_where(Mark::START, "technol/watch", counted).expect("values");
     let mark = client.mark();
+    let cycle = |b: &Value| b["watches"][0]["cycle"].as_u64().unwrap_or(0);
     let later = client
-        .event_where(mark, "technol/watch", |b| {
-            counted(b) && b["cycle"].as_u64() > first["cycle"].as_u64().map(|c| c + 20)
-        })
+        .event_where(mark, "technol/watch", |b| counted(b) && cycle(b) > cycle(&first) + 20)
         .expect("more values");
-    let ahead =
-        |body: &Value| number(&body["watches"][0]["value"]) as i64 - body["cycle"].as_i64().expect("a cycle");
+    let ahead = |body: &Value| number(&body["watches"][0]["value"]).wrapping_sub(cycle(body));
     assert_eq!(ahead(&first), ahead(&later), "value and cycle belong together: {first} {later}");
     assert_ne!(later["watches"][1]["value"], "…", "{later}");
     let names: Vec<&str> =

@@ -23,7 +23,7 @@ struct Watched {
 impl Watched {
     fn read(&self, memory: &[u8]) -> u64 {
         let start = self.item.addr as usize;
-        let bytes = memory.get(start..start.saturating_add(layout::bytes(&self.item))).unwrap_or(&[]);
+        let bytes = memory.get(start..start.saturating_add(layout::bytes(self.item))).unwrap_or(&[]);
         let number = bytes.iter().rev().fold(0, |n, b| n << 8 | u64::from(*b));
         match self.item.kind {
             ItemKind::Bit(bit) => number >> (bit & 7) & 1,
@@ -91,7 +91,7 @@ impl Watch {
     pub(crate) fn new(items: &[Item], memory: &[u8]) -> Result<Watch, Failure> {
         let mut watched = Vec::with_capacity(items.len());
         for item in items {
-            let end = (item.addr as usize).checked_add(layout::bytes(item));
+            let end = (item.addr as usize).checked_add(layout::bytes(*item));
             end.filter(|end| *end <= memory.len()).ok_or(Failure::OutOfRange)?;
             let mut new =
                 Watched { item: *item, previous: 0, least: 0, greatest: 0, held: (0, 0), rises: 0, falls: 0 };

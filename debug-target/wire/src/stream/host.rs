@@ -60,8 +60,10 @@ impl Listener {
         let Ok(layout) = Layout::of(&subscription) else { return };
         let decoder = Decoder::new(subscription.id, layout);
         let (id, freshness) = (subscription.id, Freshness::Waiting);
-        self.streams
-            .insert(id, Heard { subscription, decoder, freshness, at: now, read: now, confirm: None, asked: None });
+        self.streams.insert(
+            id,
+            Heard { subscription, decoder, freshness, at: now, read: now, confirm: None, asked: None },
+        );
     }
 
     pub(crate) fn close(&mut self, id: u8) {

@@ -119,7 +119,7 @@ fn width(kind: ItemKind) -> Option<u8> {
 }
 
 /// Bytes of memory an item lies in.
-pub(crate) fn bytes(item: &Item) -> usize {
+pub(crate) fn bytes(item: Item) -> usize {
     match item.kind {
         ItemKind::Bit(_) => 1,
         ItemKind::Unsigned(n) | ItemKind::Signed(n) => usize::from(n),

@@ -140,7 +140,7 @@ impl Stream {
 /// All streams of a target. Nothing is allocated while samples are taken and sent.
 #[derive(Clone, Debug, Default)]
 pub struct Streams {
-    streams: [Option<Stream>; MOST_STREAMS as usize],
+    places: [Option<Stream>; MOST_STREAMS as usize],
     /// Bytes a second that samples may take, if that is bounded.
     rate: Option<u32>,
     /// Bytes that may be sent now.
@@ -195,7 +195,7 @@ impl Streams {
         let first_patience = period.clamp(FIRST_HEARTBEAT, LAST_HEARTBEAT);
         self.payload.reserve(layout.longest());
         self.generation = self.generation.wrapping_add(1);
-        self.streams[usize::from(subscription.id)] = Some(Stream {
+        self.places[usize::from(subscription.id)] = Some(Stream {
             id: subscription.id,
             period: subscription.period.into(),
             sampler,
@@ -215,21 +215,21 @@ impl Streams {
 
     /// Ends a stream.
     pub fn unsubscribe(&mut self, id: u8) {
-        if self.streams.get_mut(usize::from(id)).and_then(Option::take).is_some() {
+        if self.places.get_mut(usize::from(id)).and_then(Option::take).is_some() {
             self.generation = self.generation.wrapping_add(1);
         }
     }
 
     /// Ends all streams: the session or the program is over.
     pub fn clear(&mut self) {
-        self.streams = Default::default();
+        self.places = Default::default();
         self.generation = self.generation.wrapping_add(1);
     }
 
     /// Nothing is subscribed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.streams.iter().all(Option::is_none)
+        self.places.iter().all(Option::is_none)
     }
 
     /// Another number than before when streams have begun or ended since.
@@ -243,18 +243,18 @@ impl Streams {
         let lines = |stream: &Stream| {
             if let Sampler::Trace(pcs) = &stream.sampler { pcs.clone() } else { Vec::new() }
         };
-        self.streams.iter().flatten().flat_map(lines)
+        self.places.iter().flatten().flat_map(lines)
     }
 
     /// There are items that are looked at between samples: [`Streams::observe`] is of use.
     #[must_use]
     pub fn folds(&self) -> bool {
-        self.streams.iter().flatten().any(|s| matches!(&s.sampler, Sampler::Variables(watch) if watch.folds))
+        self.places.iter().flatten().any(|s| matches!(&s.sampler, Sampler::Variables(watch) if watch.folds))
     }
 
     /// Looks at the memory between samples: every millisecond, say.
     pub fn observe(&mut self, memory: &[u8]) {
-        for stream in self.streams.iter_mut().flatten() {
+        for stream in self.places.iter_mut().flatten() {
             if let Sampler::Variables(watch) = &mut stream.sampler {
                 watch.observe(memory);
             }
@@ -264,7 +264,7 @@ impl Streams {
     /// Takes the samples of a number that are due. `number` grows from call to call; `cycle` is that of the PLC.
     pub fn sample(&mut self, number: u32, cycle: u32, source: &dyn SampleSource) {
         self.number = number;
-        for stream in self.streams.iter_mut().flatten() {
+        for stream in self.places.iter_mut().flatten() {
             stream.sample(number, cycle, self.now, source);
         }
     }
@@ -272,7 +272,7 @@ impl Streams {
     /// The host says which streams it listens to (payload of a [`kind::LISTENING`] frame).
     pub(crate) fn listened(&mut self, payload: &[u8]) {
         for entry in payload.chunks_exact(5) {
-            let Some(stream) = self.streams.get_mut(usize::from(entry[0] & 7)).and_then(Option::as_mut)
+            let Some(stream) = self.places.get_mut(usize::from(entry[0] & 7)).and_then(Option::as_mut)
             else {
                 continue;
             };
@@ -294,13 +294,13 @@ impl Streams {
             self.credited += earned * 1_000_000 / rate;
             self.credit = self.credit.saturating_add(earned as i64).min(MOST_CREDIT);
         }
-        for place in &mut self.streams {
+        for place in &mut self.places {
             if place.as_ref().is_some_and(|s| now >= s.heard + UNHEARD) {
                 *place = None;
                 self.generation = self.generation.wrapping_add(1);
             }
         }
-        let ready = self.streams.iter().flatten().filter_map(|s| self.ready_at(s)).min()?;
+        let ready = self.places.iter().flatten().filter_map(|s| self.ready_at(s)).min()?;
         Some(ready.max(now + self.debt()))
     }
 
@@ -327,12 +327,12 @@ impl Streams {
         // By turns, so that a busy stream does not silence the others.
         let order = (0..MOST_STREAMS).map(|n| (self.turn + n) % MOST_STREAMS);
         let ready = |id: &u8| {
-            let stream = self.streams[usize::from(*id)].as_ref();
+            let stream = self.places[usize::from(*id)].as_ref();
             stream.and_then(|s| self.ready_at(s)).is_some_and(|at| at <= now)
         };
         let Some(id) = order.into_iter().find(ready) else { return false };
         self.turn = (id + 1) % MOST_STREAMS;
-        let Some(stream) = &mut self.streams[usize::from(id)] else { return false };
+        let Some(stream) = &mut self.places[usize::from(id)] else { return false };
         let Some((number, cycle)) = stream.stamp else { return false };
         let changed = stream.values != stream.encoder.last();
         stream.encoder.encode(number, cycle, &stream.values, stream.wanted, &mut self.payload);
@@ -342,7 +342,8 @@ impl Streams {
         stream.wanted = false;
         stream.due = false;
         stream.sent_at = now;
-        stream.patience = if changed { stream.first_patience } else { (stream.patience * 2).min(LAST_HEARTBEAT) };
+        stream.patience =
+            if changed { stream.first_patience } else { (stream.patience * 2).min(LAST_HEARTBEAT) };
         let before = out.len();
         frame::encode(kind::STREAM, number as u8, &self.payload, out);
         self.credit -= (out.len() - before) as i64;

@@ -1,4 +1,5 @@
 //! Streams: what they cost on the line, and that they never show what was not.
+#![allow(clippy::unwrap_used)] // tests
 
 mod bars;
 mod memory;

@@ -1,6 +1,8 @@
 //! What is watched while the program runs: by the streams of the target, for the client's own views
 //! (`invalidated`) and for those that ask for it (`technol/subscribe`, `technol/trace`).
 
+mod telling;
+
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
@@ -10,17 +12,15 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use technol_image::op::{Addr, Width};
-use technol_wire::message::{Item, ItemKind, Mode, Request as Ask, SequenceState, Subscription};
+use technol_wire::message::{Item, ItemKind, Mode, Request as Ask, SequenceState, Subscription, feature};
 
 use crate::errors::RequestError;
 use crate::expression::Named;
 use crate::live::plan::{CYCLE_MS, Plan, Wishes, plan};
-use crate::live::{Live, News, Reading, Told};
-use crate::mechanisms;
+use crate::live::{Live, News};
 use crate::request::Request;
 use crate::target_link::Streamed;
 use crate::tree::Shown;
-use crate::values;
 
 use super::phase::Phase;
 use super::{Answer, Session};
@@ -333,8 +333,15 @@ impl Session {
     /// Subscribes to what is wanted now. Answers what the user should know about it, and says it if it is new.
     fn replan(&mut self) -> Option<String> {
         self.watching.replan = None;
-        let wishes = self.wishes();
+        let mut wishes = self.wishes();
         let target = self.target.as_mut()?;
+        let mut missing = None;
+        if target.features() & feature::STREAMS == 0 {
+            let wanted = wishes != Wishes { period: wishes.period, ..Wishes::default() };
+            missing = wanted
+                .then(|| "the target does not tell values while the program runs; update it".to_owned());
+            wishes = Wishes::default();
+        }
         let line = target.bytes_per_second();
         let plan = plan(&wishes, target.limits().max_payload, line);
         let mut refused = None;
@@ -351,7 +358,7 @@ impl Session {
             }
         }
         let note = refused.map(|e| format!("watching while the program runs is not possible: {e}"));
-        let note = note.or_else(|| shortage(&plan, &wishes, line));
+        let note = missing.or(note).or_else(|| shortage(&plan, &wishes, line));
         self.watching.plan = plan;
         if let Some(note) = &note
             && *note != self.watching.said
@@ -365,7 +372,7 @@ impl Session {
     /// Events with values, for clients that asked for them.
     fn tell_watches(&mut self) {
         let watching = &self.watching;
-        if watching.live.cycle().is_none() {
+        if !watching.live.has_samples() {
             return; // nothing has come yet
         }
         let period = Duration::from_millis(u64::from(watching.period) * u64::from(CYCLE_MS));
@@ -387,79 +394,6 @@ impl Session {
             self.watching.news.trace = false;
             self.watching.trace_told = Some(Instant::now());
         }
-    }
-
-    fn watch_body(&self) -> Value {
-        let watching = &self.watching;
-        let watches: Vec<Value> = watching.watches.iter().map(|w| self.shown_watch(w)).collect();
-        let mechanisms = watching.mechanisms.then(|| self.shown_mechanisms());
-        json!({ "cycle": watching.live.cycle(), "watches": watches, "mechanisms": mechanisms })
-    }
-
-    fn shown_watch(&self, watched: &Watched) -> Value {
-        let mut shown = json!({ "expression": watched.expression });
-        match &watched.what {
-            What::Wrong(why) => shown["error"] = json!(why),
-            What::Constant(value) => shown["value"] = json!(value.to_string()),
-            What::Mechanism(sequence) => {
-                let told = self.watching.live.mechanism(*sequence, self.phase == Phase::Running);
-                let mechanism = self.mechanism(*sequence);
-                let text = told.zip(mechanism).map(|(t, m)| (mechanisms::summary(m, &t.value), t.stale));
-                put(&mut shown, text);
-            }
-            What::Item { item, width } => {
-                let text = |raw: u64| match width {
-                    Some(width) => values::cell(raw, *width, watched.hex),
-                    None => values::bit(raw == 1),
-                };
-                let told = self.watching.live.item(item);
-                put(&mut shown, told.map(|t| (text(t.value.value), t.stale)));
-                if let Some(Told { value: Reading { extremes, edges, .. }, .. }) = told {
-                    shown["least"] = json!(extremes.map(|(least, _)| text(least)));
-                    shown["greatest"] = json!(extremes.map(|(_, greatest)| text(greatest)));
-                    shown["rises"] = json!(edges.map(|(rises, _)| rises));
-                    shown["falls"] = json!(edges.map(|(_, falls)| falls));
-                }
-            }
-        }
-        shown
-    }
-
-    fn mechanism(&self, sequence: u16) -> Option<&technol_image::debug_info::Mechanism> {
-        self.debuggee.as_ref()?.debug.mechanisms.iter().find(|m| m.sequence == sequence)
-    }
-
-    fn shown_mechanisms(&self) -> Vec<Value> {
-        let Some(debuggee) = &self.debuggee else { return Vec::new() };
-        let running = self.phase == Phase::Running;
-        let shown = debuggee.debug.mechanisms.iter().map(|mechanism| {
-            let told = self.watching.live.mechanism(mechanism.sequence, running);
-            let path = debuggee.map.path(mechanism.file).map(|p| p.to_string_lossy().into_owned());
-            let mut shown = json!({ "name": mechanism.name, "path": path });
-            if let Some(told) = &told {
-                shown["active"] = json!(told.value.active);
-                shown["line"] = json!(self.line_out(mechanisms::line(mechanism, &told.value)));
-            }
-            put(&mut shown, told.map(|t| (mechanisms::summary(mechanism, &t.value), t.stale)));
-            shown
-        });
-        shown.collect()
-    }
-
-    fn trace_body(&self) -> Value {
-        let live = &self.watching.live;
-        let lines = self.watching.lines.iter().map(|line| {
-            let mut shown = json!({ "path": line.path, "line": line.line });
-            let told: Vec<_> = line.pcs.iter().filter_map(|pc| live.line(*pc)).collect();
-            // The last statement of the line that ran says how the line ended.
-            if let Some(last) = told.iter().rev().find(|t| t.value.ran).or(told.last()) {
-                shown["ran"] = json!(last.value.ran);
-                let dr = values::register(u64::from(last.value.dr), Width::DWord, false);
-                put(&mut shown, Some((format!("RLO {}  DR {dr}", u8::from(last.value.rlo)), last.stale)));
-            }
-            shown
-        });
-        json!({ "cycle": live.cycle(), "lines": lines.collect::<Vec<_>>() })
     }
 
     /// Asks views of the client's own to look again, when what they show has changed.
@@ -540,13 +474,6 @@ fn shortage(plan: &Plan, wishes: &Wishes, line: Option<u32>) -> Option<String> {
             ms(plan.trace_period)
         )
     })
-}
-
-/// A value with its mark: one that may have changed since ends in a question mark.
-fn put(shown: &mut Value, text: Option<(String, bool)>) {
-    let (text, stale) = text.unwrap_or_else(|| ("…".into(), true));
-    shown["value"] = if stale && text != "…" { json!(format!("{text} ?")) } else { json!(text) };
-    shown["stale"] = json!(stale);
 }
 
 fn item(addr: Addr, kind: ItemKind, mode: WatchMode) -> Item {
