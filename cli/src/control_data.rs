@@ -5,13 +5,17 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use technol_analysis::configuration::channel::{Parameter, ParameterKind};
+use technol_analysis::configuration::channel::{self, Channel, Parameter, ParameterKind, Point};
 use technol_analysis::configuration::constants::{Constant, ConstantValue};
 use technol_analysis::configuration::document::integer;
+use technol_analysis::configuration::places::{Place, place};
 use technol_analysis::configuration::table::{self, ColumnKind, TableDefinition};
 use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, control_text, read};
 use technol_analysis::project::LoadedProject;
-use technol_machine::{Column, ControlData, MachineConfig, Table, Value, ValueKind};
+use technol_machine::{
+    Analog, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, Physical, Signal, Table, Value,
+    ValueKind,
+};
 use technol_target::{Keep, TableWriter};
 
 /// First offset of reals in shared area 0; integers begin at 0.
@@ -53,6 +57,8 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
                         data.parameters.entry(control_bytes(&it.id.text)).or_insert(value);
                     }
                 }
+                data.wiring.points.extend(channel.points.iter().filter_map(mapping));
+                data.wiring.connections.extend(connections(&channel));
             }
             Contents::Constants(own) => constants.extend(own),
             Contents::TableDefinition(it) => definitions.push((it, path.with_extension("PlcT"))),
@@ -70,6 +76,45 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
         sources.push((definition.id.text, found.map_or(beside, |(_, path)| path.clone())));
     }
     (data, sources)
+}
+
+/// An input or output; `None` when there is no such port, which the check reports.
+fn mapping(it: &Point) -> Option<Mapping> {
+    let channel::Conversion { scale, offset, min, max } = it.conversion;
+    let analog = |channel| Analog {
+        channel,
+        scale,
+        offset,
+        min: min.unwrap_or(f64::NEG_INFINITY),
+        max: max.unwrap_or(f64::INFINITY),
+    };
+    let bit = |signal| Physical::Bit { signal, invert: it.invert };
+    let physical = match place(it)? {
+        Place::Input { port, bit: number } => bit(Signal::Input { port, bit: number }),
+        Place::Output { port, bit: number } => bit(Signal::Output { port, bit: number }),
+        Place::AnalogInput(channel) => Physical::AnalogInput(analog(channel)),
+        Place::AnalogOutput(channel) => Physical::AnalogOutput(analog(channel)),
+    };
+    Some(Mapping {
+        id: control_bytes(&it.id.text),
+        physical,
+        connected: it.connected == Some(true),
+        default: it.default.trim().parse().unwrap_or(0.0),
+    })
+}
+
+/// The connections that are connected.
+fn connections(channel: &Channel) -> impl Iterator<Item = Connection> {
+    let connected = channel.connections.iter().filter(|it| it.connected == Some(true));
+    connected.map(|it| Connection {
+        source: it.source.text.clone(),
+        destination: it.destination.text.clone(),
+        conversion: Conversion {
+            invert: it.invert.is_some(),
+            scale: it.conversion.scale,
+            offset: it.conversion.offset,
+        },
+    })
 }
 
 /// The value of a parameter; `None` when it is not of its type, which the check reports.

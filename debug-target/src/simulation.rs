@@ -163,9 +163,11 @@ impl Simulation {
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
             self.plant.place_axes(self.control.motion());
+            self.plant.connect(&self.control, self.runtime.memory());
             for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take(event);
             }
+            self.plant.tell(&mut self.control);
             self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
             self.hand_over_blocks();
         }

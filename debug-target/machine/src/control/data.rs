@@ -3,6 +3,8 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
+use super::elements::ChannelWiring;
+
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ControlData {
@@ -14,6 +16,8 @@ pub struct ControlData {
     pub tables: Vec<Table>,
     /// PLC_MEM_BACKUP as it was saved last; missing bytes are 0 (manual 18.1).
     pub backup: Vec<u8>,
+    /// Where identifiers of inputs and outputs lead (manual 10 and 27.5).
+    pub wiring: ChannelWiring,
 }
 
 /// A value of one of the four types.

@@ -78,11 +78,13 @@ pub struct CanUnit {
     seen: [u32; MEMBERS.len()],
     /// What the unit says.
     said: [u32; MEMBERS.len()],
+    /// The cable is cut.
+    lost: bool,
 }
 
 impl Default for CanUnit {
     fn default() -> CanUnit {
-        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()] };
+        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false };
         unit.set("PRESENT", 1);
         unit.seen = unit.said;
         unit
@@ -108,6 +110,13 @@ impl CanUnit {
 
     /// A cycle begins: the unit follows its mode, and what it says is the truth again.
     fn cycle(&mut self) {
+        if self.lost {
+            // What it said last stays.
+            if let Some(n) = member("PRESENT") {
+                self.seen[n] = 0;
+            }
+            return;
+        }
         let mode = self.get("MODE").unwrap_or(0);
         self.set("MODE_ACT", mode);
         for (n, (.., by)) in MEMBERS.iter().enumerate() {
@@ -132,6 +141,13 @@ impl Units {
     /// A cycle of 20 ms begins.
     pub(in super::super) fn cycle(&mut self) {
         self.all.values_mut().for_each(CanUnit::cycle);
+    }
+
+    /// The cable of a channel is cut, or is there.
+    pub(in super::super) fn set_cut(&mut self, cut: impl Fn(u8) -> bool) {
+        for ((can, ..), unit) in &mut self.all {
+            unit.lost = cut(*can as u8);
+        }
     }
 
     /// CAN_SYSIO_READ and CAN_SYSIO_WRITE.
