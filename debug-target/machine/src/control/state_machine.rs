@@ -61,13 +61,13 @@ impl StateMachine {
     /// A step under a control word: at most one transition.
     pub(super) fn step(&mut self, control: u16) {
         let reset = control & RESET != 0;
-        let falls = reset && !core::mem::replace(&mut self.reset, reset);
+        let was = core::mem::replace(&mut self.reset, reset);
         if let Some(code) = self.cause {
             (self.state, self.code) = (State::Fault, code);
             return;
         }
         if self.state == State::Fault {
-            if falls {
+            if reset && !was {
                 (self.state, self.code) = (State::SwitchOnDisabled, 0);
             }
             return;
