@@ -13,7 +13,7 @@ use technol_analysis::configuration::table::{self, ColumnKind, TableDefinition};
 use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, control_text, read};
 use technol_analysis::project::LoadedProject;
 use technol_machine::{
-    Analog, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, Physical, Signal, Table, Value,
+    Analog, ChannelWiring, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, Physical, Signal, Table, Value,
     ValueKind,
 };
 use technol_target::{Keep, TableWriter};
@@ -39,6 +39,11 @@ pub(crate) fn control_data(
     let mut keep = Keep::new(backup.or(named), writer);
     keep.load(&mut data)?;
     Ok((data, keep))
+}
+
+/// Inputs, outputs and connections of the configuration files.
+pub(crate) fn channel(project: &LoadedProject) -> ChannelWiring {
+    collect(project).0.wiring
 }
 
 /// Name and file of a table.

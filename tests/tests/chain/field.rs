@@ -201,7 +201,7 @@ fn the_status_of_a_can_drive_follows_its_command() {
                    [[fault]]\nname = 'cable'\ncan = 1\ncut = true";
     let mut plc = Plc::on(Some(machine), "", "");
     let command = "WORD.(CAN_DRIVE_CMD+2)";
-    let mut follows = |plc: &mut Plc, given: u16, status: &str| {
+    let follows = |plc: &mut Plc, given: u16, status: &str| {
         plc.set(&format!("{command}={given}"));
         plc.run(1);
         holds(plc, &format!("WORD.(CAN_DRIVE_STAT+2)={status}"));
