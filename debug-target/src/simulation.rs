@@ -168,7 +168,9 @@ impl Simulation {
                 self.take(event);
             }
             self.plant.tell(&mut self.control);
-            self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
+            let shorted = self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]);
+            let reported = self.control.reported(shorted, self.runtime.memory());
+            self.runtime.set_shorted(&reported);
             self.hand_over_blocks();
         }
         let (first, waiting) = (events.len(), self.runtime.waiting_blocks());

@@ -240,3 +240,23 @@ fn analogue_values_go_to_the_machine_and_come_back() {
     plc.run(20);
     holds(&plc, "REAL.ANALOG_INPUT_PHYSICAL+16=3.0");
 }
+
+#[test]
+fn a_unit_tells_of_short_circuits_and_may_keep_silent_about_them() {
+    let machine = "[[can-unit]]\ncan = 2\ngroup = 1\nboard = 2\n\
+                   [[fault]]\nname = 'short'\noutput = 'P4OUT.1'\nshorted = true\nactive = true";
+    let lines = "LOD OB / STO P4OUT / CAN_SYSIO_READ 2,1,2,SHORT_OUT1 / STO B1 / LDR I0 / JL0 PAST / LOD CNST.2 / \
+                 CAN_SYSIO_WRITE 2,1,2,CONTROL / PAST:";
+    let mut plc = Plc::on(Some(machine), "", lines);
+    plc.run(2);
+    holds(&plc, "B1=0 BYTE.ERRLI_P4OUT=0");
+    plc.set("OB=3");
+    plc.run(3);
+    holds(&plc, "B1=2 BYTE.ERRLI_P4OUT=2");
+    assert_eq!(plc.ports()[4], 1);
+    plc.set("I0=1 BYTE.ERRLI_P4OUT=0");
+    plc.run(2);
+    plc.set("BYTE.ERRLI_P4OUT=0");
+    plc.run(2);
+    holds(&plc, "B1=2 BYTE.ERRLI_P4OUT=0");
+}

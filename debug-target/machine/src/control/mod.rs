@@ -4,13 +4,13 @@
 use alloc::vec::Vec;
 
 use technol_image::service::Service;
-use technol_image::system::devices;
+use technol_image::system::{self, devices};
 use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
 
 use crate::config::MachineConfig;
 use crate::fault::BusFault;
 use crate::motion::{Cells, Motion};
-use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, Signal};
+use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, OUTPUT_PORTS, Signal};
 
 mod axes;
 mod backup;
@@ -238,6 +238,16 @@ impl SimulatedControl {
     pub(crate) fn set_analog_inputs(&mut self, inputs: &[(u8, f64)]) {
         self.analog_inputs.clear();
         self.analog_inputs.extend_from_slice(inputs);
+    }
+
+    /// Short circuits that the program is told of, of those there are: units tell of outputs that are on, and IO_DIS_ERPIS
+    /// keeps them silent (manual 9.3).
+    #[must_use]
+    pub fn reported(&mut self, shorted: &[u8; OUTPUT_PORTS], memory: &[u8]) -> [u8; OUTPUT_PORTS] {
+        let mut reported = *shorted;
+        let outputs = memory.get(system::OUT_PORTS as usize..).unwrap_or_default();
+        self.units.tell_shorted(&mut reported, outputs);
+        reported
     }
 
     /// A millisecond of analogue inputs and drives.

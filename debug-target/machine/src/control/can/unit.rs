@@ -8,6 +8,11 @@ use technol_runtime::{Call, FaultKind};
 
 use super::number;
 
+/// Group of the INOUT08 units.
+const INOUT08: u16 = 1;
+/// IO_DIS_ERPIS in CONTROL.
+const NO_REPORT: u32 = 2;
+
 /// Who fills a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum By {
@@ -147,6 +152,23 @@ impl Units {
     pub(in super::super) fn set_cut(&mut self, cut: impl Fn(u8) -> bool) {
         for ((can, ..), unit) in &mut self.all {
             unit.lost = cut(*can as u8);
+        }
+    }
+
+    /// Outputs with a short circuit, as bytes of P0OUT …: each INOUT08 tells in SHORT_OUT0 … those that are on. Those of a unit
+    /// with IO_DIS_ERPIS are taken out: the program is not told of them.
+    pub(in super::super) fn tell_shorted(&mut self, shorted: &mut [u8], outputs: &[u8]) {
+        for ((_, group, board), unit) in &mut self.all {
+            let first = 3 * usize::from(board.wrapping_sub(1));
+            let (INOUT08, Some(ports)) = (*group, shorted.get_mut(first..first + 3)) else { continue };
+            let driven = outputs.get(first..first + 3).unwrap_or_default();
+            for ((name, port), driven) in ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().zip(&*ports).zip(driven)
+            {
+                unit.set(name, u32::from(port & driven));
+            }
+            if unit.get("CONTROL").is_some_and(|control| control & NO_REPORT != 0) {
+                ports.fill(0);
+            }
         }
     }
 
