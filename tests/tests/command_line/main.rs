@@ -18,3 +18,4 @@ mod ran;
 mod run;
 mod target;
 mod test;
+mod wired;
