@@ -82,8 +82,7 @@ fn analogue_values_are_shifted_scaled_and_limited() {
     ];
     let init = "MAP_AIN VOLTAGE,'PlasmaVoltage' / MAP_AIN GAP,'Gap',1.0 / MAP_AOUT FLOW,'CutFlow'";
     let mut plc = plc(points, Vec::new(), init, "LOD REAL.R1 / STO REAL.FLOW");
-    holds(&plc, "GAP=4.5 ANALOG_CONNECTED+2.AIN_CONNECTED=1 ANALOG_CONNECTED+2.AOUT_CONNECTED=0");
-    holds(&plc, "ANALOG_CONNECTED+1.AOUT_CONNECTED=1 ANALOG_CONNECTED+3.AIN_CONNECTED=0");
+    holds(&plc, "GAP=4.5 BYTE.ANALOG_CONNECTED+1=2 BYTE.ANALOG_CONNECTED+2=1 BYTE.ANALOG_CONNECTED+3=0");
     // (volts + 0.5) · 20, held within 20 and 150; the value held within 0 and 60, · 0.25 + 1.
     for (volts, voltage, flow, out) in [
         ("4.5", "100.0", "8.0", "3.0"),

@@ -260,3 +260,18 @@ fn a_unit_tells_of_short_circuits_and_may_keep_silent_about_them() {
     plc.run(2);
     holds(&plc, "B1=2 BYTE.ERRLI_P4OUT=0");
 }
+
+#[test]
+fn the_mailbox_reads_the_present_words_of_a_drive() {
+    let mailbox = |index: &str| {
+        format!("MECH_BEGIN M / ECAT_COE_READ 0,1,{index},0,D2,D1 / EX0 / STO W2 / FL 1,O0 / MECH_END M")
+    };
+    for (index, len, found) in [("6041h", 2, "33h"), ("603Fh", 2, "0"), ("6064h", 4, "0")] {
+        let mut plc = Plc::on(Some(SLAVES), INIT, &mailbox(index));
+        request(&mut plc, "flEdrvInit", "bEdrvState2=1");
+        request(&mut plc, "flEdrvOn", "bEdrvState2=2");
+        plc.set("M=1 D1=4 W2=9");
+        plc.run(5);
+        holds(&plc, &format!("O0=1 W2=0 D1={len} D2={found}"));
+    }
+}
