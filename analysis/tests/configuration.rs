@@ -350,15 +350,23 @@ fn physical_ends_that_there_are_not_or_that_have_two_sources_are_reported() {
             "<Output ID='b' Port='96' Connected='1'/>",
             &["1:23 Port=\"96\" of an output would be P96OUT; the last one is P95OUT"],
         ),
-        ("<Input ID='a' Port='1' Bit='8'/>", &["1:30 Bit cannot be \"8\"; it needs a whole number from 0 to 7"]),
+        (
+            "<Input ID='a' Port='1' Bit='8'/>",
+            &["1:30 Bit cannot be \"8\"; it needs a whole number from 0 to 7"],
+        ),
         // Outputs that share a bit are joined; two inputs of one bit are no mistake either.
         ("<Output ID='a' Bit='1' Connected='1'/>\n<Output ID='b' Bit='1' Connected='1'/>", &[]),
         ("<Input ID='a' Bit='1' Connected='1'/>\n<Input ID='b' Bit='1' Invert='1' Connected='1'/>", &[]),
-        ("<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1'/>", &[]),
+        (
+            "<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1'/>",
+            &[],
+        ),
         (
             "<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1' Connected='1'/>",
-            &["2:23 b and a both drive P2OUT.1, and only one of them is inverted; outputs that share a bit need the \
-               same Invert"],
+            &[
+                "2:23 b and a both drive P2OUT.1, and only one of them is inverted; outputs that share a bit need the \
+               same Invert",
+            ],
         ),
         (
             "<AnalogOutput ID='a' PhysNo='3' Connected='1'/>\n<AnalogOutput ID='b' PhysNo='3' Connected='1'/>",

@@ -85,7 +85,10 @@ fn missing(point: &Point, problems: &mut Vec<Problem>) {
     let port = point.port;
     let message = match point.element {
         ConfigElement::Input if port == INPUT_PORTS => {
-            format!("Port=\"{port}\" of an input would be P{}IN; the last one is Port=\"127\", P128IN", port + 1)
+            format!(
+                "Port=\"{port}\" of an input would be P{}IN; the last one is Port=\"127\", P128IN",
+                port + 1
+            )
         }
         ConfigElement::Output if (OUTPUT_PORTS..=INPUT_PORTS).contains(&port) => {
             format!("Port=\"{port}\" of an output would be P{port}OUT; the last one is P95OUT")

@@ -20,7 +20,8 @@ pub(super) fn explain(
     debug: &DebugInfo,
     format: Format,
 ) {
-    let explanation = Explanation { machine, wiring: wiring(machine, channel), uses: Uses::of(program, debug) };
+    let explanation =
+        Explanation { machine, wiring: wiring(machine, channel), uses: Uses::of(program, debug) };
     match format {
         Format::Human => explanation.human(),
         Format::Json => say!("{}", explanation.json()),

@@ -112,8 +112,9 @@ impl<'a> Compiler<'a> {
     pub(crate) fn claim_analog(&mut self, key: &'static str, channel: u8) {
         let here = ConfigError { table: self.table, index: self.index, key, message: String::new() }.path();
         if let Some(other) = self.analog_drivers.get(&channel) {
-            let message =
-                format!("ANALOG_INPUT_PHYSICAL[{channel}] is driven by {other} already; an input has one source");
+            let message = format!(
+                "ANALOG_INPUT_PHYSICAL[{channel}] is driven by {other} already; an input has one source"
+            );
             self.error(key, message);
         } else {
             self.analog_drivers.insert(channel, here);

@@ -151,7 +151,8 @@ fn on_bus(
 ) -> Option<Option<Effect>> {
     let config::Fault { input, output, element, stuck, broken, shorted, jammed, slow, .. } = config;
     let other = input.is_some() || output.is_some() || element.is_some();
-    let kind = [broken, shorted, jammed].iter().any(|flag| flag.is_some()) || stuck.is_some() || slow.is_some();
+    let kind =
+        [broken, shorted, jammed].iter().any(|flag| flag.is_some()) || stuck.is_some() || slow.is_some();
     if other || kind {
         return None;
     }

@@ -23,7 +23,7 @@ use crate::key::Key;
 use crate::latch::Latch;
 use crate::limit::Limit;
 use crate::motion::switch::AxisSwitch;
-use crate::motion::{self, Motion};
+use crate::motion::{self, Motion, PanelKey};
 use crate::ramp::Ramp;
 use crate::settings::{self, ControlKey, ControlKeys, ControlSettings};
 use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, INPUT_PORTS, InputImage, OUTPUT_PORTS, OutputImage, Signal};
@@ -42,6 +42,13 @@ pub enum PlantEvent {
     Command {
         /// Its code.
         code: i32,
+        /// Pressed.
+        pressed: bool,
+    },
+    /// A key that concerns axes and spindles was pressed or released.
+    Panel {
+        /// Which.
+        key: PanelKey,
         /// Pressed.
         pressed: bool,
     },
@@ -260,8 +267,7 @@ impl Plant {
     /// What happens besides in a millisecond.
     fn events(&mut self, outputs: &OutputImage, inputs: &InputImage) -> Vec<PlantEvent> {
         let mut events = Vec::new();
-        let commands = self.keys.iter_mut().filter_map(Key::command);
-        events.extend(commands.map(|(code, pressed)| PlantEvent::Command { code, pressed }));
+        events.extend(self.keys.iter_mut().flat_map(Key::events));
         self.control_events(outputs, inputs, &mut events);
         for program in &mut self.programs {
             let blocks = program.step(self.millis, outputs, inputs);
@@ -271,12 +277,7 @@ impl Plant {
         events
     }
 
-    fn control_events(
-        &mut self,
-        outputs: &OutputImage,
-        inputs: &InputImage,
-        events: &mut Vec<PlantEvent>,
-    ) {
+    fn control_events(&mut self, outputs: &OutputImage, inputs: &InputImage, events: &mut Vec<PlantEvent>) {
         let world = World { outputs, before: inputs, volts: &self.volts };
         let ControlKeys { start, stop, emergency_stop } = &mut self.control_keys;
         let mut down = |key: &mut Option<ControlKey>, event| {

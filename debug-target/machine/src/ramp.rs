@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 use crate::analog::{self, AnalogInputs, AnalogOutput};
 use crate::compile::Compiler;
 use crate::config;
-use crate::motion::Thousandths;
 use crate::drive::{Drive, World};
+use crate::motion::Thousandths;
 use crate::signal::{InputBit, InputImage};
 
 /// Where the target comes from.
@@ -188,7 +188,8 @@ fn analog_input(config: &config::Ramp, compiler: &mut Compiler<'_>) -> Option<(u
     let channel = analog::input(name);
     match channel {
         Some(channel) => compiler.claim_analog("value", channel),
-        None => compiler.error("value", format!("`{name}` is no analogue input; use ANALOG_INPUT_PHYSICAL[0] to [99]")),
+        None => compiler
+            .error("value", format!("`{name}` is no analogue input; use ANALOG_INPUT_PHYSICAL[0] to [99]")),
     }
     // One that does not exist was reported; it is no port either.
     Some((channel.unwrap_or(0), per_volt))

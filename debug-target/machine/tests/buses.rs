@@ -35,7 +35,10 @@ fn mistakes(toml: &str) -> Vec<String> {
 #[test]
 fn what_is_described_twice_is_told_at_its_second_place() {
     for (toml, expected) in [
-        ("serial = [{ channel = 1 }, { channel = 2 }, { channel = 1 }]", "serial[2].channel: serial[0] describes the same; leave one of them"),
+        (
+            "serial = [{ channel = 1 }, { channel = 2 }, { channel = 1 }]",
+            "serial[2].channel: serial[0] describes the same; leave one of them",
+        ),
         (
             "can-unit = [{ can = 2, group = 1, board = 3 }, { can = 2, group = 1, board = 3 }]",
             "can-unit[1].board: can-unit[0] describes the same; leave one of them",
@@ -58,10 +61,7 @@ fn what_is_described_twice_is_told_at_its_second_place() {
                      { output = 'P0OUT.0', high = 9, rise-per-s = 1, value = 'analog_input_physical[2]' }]",
             "ramp[1].value: ANALOG_INPUT_PHYSICAL[2] is driven by ramp[0].value already; an input has one source",
         ),
-        (
-            "axis = [{ number = 2 }, { number = 2 }]",
-            "axis[1].number: axis 2 is described twice",
-        ),
+        ("axis = [{ number = 2 }, { number = 2 }]", "axis[1].number: axis 2 is described twice"),
     ] {
         assert_eq!(mistakes(toml).join("\n"), expected, "{toml}");
     }
@@ -144,7 +144,13 @@ fn faults_on_buses_name_what_is_there() {
         let toml = format!("{machine}fault = [{{ name = 'f', {fault} }}]");
         assert_eq!(mistakes(&toml).join("\n"), expected, "{fault}");
     }
-    for fault in ["slave = 'X'", "slave = 'X', lost = true, cut = true", "can = 2, lost = true", "slave = 'X', jammed = true", "lost = true"] {
+    for fault in [
+        "slave = 'X'",
+        "slave = 'X', lost = true, cut = true",
+        "can = 2, lost = true",
+        "slave = 'X', jammed = true",
+        "lost = true",
+    ] {
         let found = mistakes(&format!("{machine}fault = [{{ name = 'f', {fault} }}]"));
         assert!(found[0].starts_with("fault[0]: needs one of: "), "{fault}: {found:?}");
     }

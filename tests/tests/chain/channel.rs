@@ -1,6 +1,8 @@
 //! Inputs, outputs and connections as the configuration files say them (manual 10 and 27.5).
 
-use technol_machine::{Analog, ChannelWiring, Connection, ControlData, Conversion, Mapping, Physical, Signal};
+use technol_machine::{
+    Analog, ChannelWiring, Connection, ControlData, Conversion, Mapping, Physical, Signal,
+};
 
 use crate::plc::Plc;
 
@@ -84,11 +86,9 @@ fn analogue_values_are_shifted_scaled_and_limited() {
     let mut plc = plc(points, Vec::new(), init, "LOD REAL.R1 / STO REAL.FLOW");
     holds(&plc, "GAP=4.5 BYTE.ANALOG_CONNECTED+1=2 BYTE.ANALOG_CONNECTED+2=1 BYTE.ANALOG_CONNECTED+3=0");
     // (volts + 0.5) · 20, held within 20 and 150; the value held within 0 and 60, · 0.25 + 1.
-    for (volts, voltage, flow, out) in [
-        ("4.5", "100.0", "8.0", "3.0"),
-        ("0.0", "20.0", "-5.0", "1.0"),
-        ("9.0", "150.0", "100.0", "16.0"),
-    ] {
+    for (volts, voltage, flow, out) in
+        [("4.5", "100.0", "8.0", "3.0"), ("0.0", "20.0", "-5.0", "1.0"), ("9.0", "150.0", "100.0", "16.0")]
+    {
         plc.set(&format!("REAL.ANALOG_INPUT_PHYSICAL+16={volts} REAL.R1={flow}"));
         plc.run(1);
         holds(&plc, &format!("VOLTAGE={voltage} GAP=4.5 REAL.ANALOG_OUTPUT_PHYSICAL+8={out}"));
@@ -97,10 +97,8 @@ fn analogue_values_are_shifted_scaled_and_limited() {
 
 #[test]
 fn what_is_set_by_name_or_wired_by_the_machine_replaces_the_configuration() {
-    let points = vec![
-        point("Door", bit("P2IN.0", false), true, 0.0),
-        point("Lamp", bit("P2OUT.0", false), true, 0.0),
-    ];
+    let points =
+        vec![point("Door", bit("P2IN.0", false), true, 0.0), point("Lamp", bit("P2OUT.0", false), true, 0.0)];
     let init = "MAP_IN DOOR,'Door' / MAP_OUT LAMP,'Lamp'";
     let mut plc = plc(points, Vec::new(), init, "LDR DOOR / WR LAMP");
     plc.control().wire("Lamp", "P4OUT.1".parse().expect("a signal"), false).expect("a name");

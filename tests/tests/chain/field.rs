@@ -144,8 +144,16 @@ fn a_drive_is_led_by_requests_and_told_by_its_words() {
     holds(&plc, "flEdrvEnable2=1 wEdrvDriveStatus2=50h bEdrvState2=0");
     plc.set("flEdrvEnable2=0");
     request(&mut plc, "flEdrvInit", "bEdrvState2=1 wEdrvDriveControl2=0");
-    request(&mut plc, "flEdrvOn", "bEdrvState2=2 wEdrvDriveControl2=7 wEdrvDriveStatus2=33h flEdrvMoveDisReq2=1");
-    request(&mut plc, "flEdrvEnable", "bEdrvState2=3 wEdrvDriveControl2=0Fh wEdrvDriveStatus2=37h flEdrvMoveDisReq2=0");
+    request(
+        &mut plc,
+        "flEdrvOn",
+        "bEdrvState2=2 wEdrvDriveControl2=7 wEdrvDriveStatus2=33h flEdrvMoveDisReq2=1",
+    );
+    request(
+        &mut plc,
+        "flEdrvEnable",
+        "bEdrvState2=3 wEdrvDriveControl2=0Fh wEdrvDriveStatus2=37h flEdrvMoveDisReq2=0",
+    );
     request(&mut plc, "flEdrvDisable", "bEdrvState2=2 wEdrvDriveControl2=7 wEdrvDriveStatus2=33h");
     request(&mut plc, "flEdrvDone", "bEdrvState2=0 wEdrvDriveControl2=0 wEdrvDriveStatus2=50h");
 }
@@ -231,11 +239,15 @@ fn analogue_values_go_to_the_machine_and_come_back() {
                    value = 'ANALOG_INPUT_PHYSICAL[2]'\nvalue-per-volt = 20\n\
                    [[ramp]]\nsource = 'ANALOG_PORT[3]'\nsource-per-volt = 100\nhigh = 1000\nrise-per-s = 10000\n\
                    value = ['P8IN', 'P9IN']";
-    let mut plc = Plc::on(Some(machine), "ANALOG_PORT 3", "LOD CNST.16384 / ANALOG / LDR I0 / JL0 PAST / PAST:");
+    let mut plc =
+        Plc::on(Some(machine), "ANALOG_PORT 3", "LOD CNST.16384 / ANALOG / LDR I0 / JL0 PAST / PAST:");
     plc.set("REAL.ANALOG_OUTPUT_PHYSICAL+8=5.0");
     // 30 of 60 after 0.3 s; 20 for a volt.
     plc.run(16);
-    holds(&plc, "REAL.ANALOG_INPUT_PHYSICAL+16=1.5 REAL.ANALOG_INPUT_PHYSICAL+8=0.0 BYTE.P8IN=0F4h BYTE.P9IN=1");
+    holds(
+        &plc,
+        "REAL.ANALOG_INPUT_PHYSICAL+16=1.5 REAL.ANALOG_INPUT_PHYSICAL+8=0.0 BYTE.P8IN=0F4h BYTE.P9IN=1",
+    );
     plc.set("REAL.ANALOG_OUTPUT_PHYSICAL+8=99.0");
     plc.run(20);
     holds(&plc, "REAL.ANALOG_INPUT_PHYSICAL+16=3.0");

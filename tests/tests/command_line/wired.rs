@@ -105,7 +105,8 @@ fn a_program_reaches_the_machine_through_its_configuration() {
     let ran = run(&["run", &path.path(""), "--cycles", "20", "--format", "json", "--print", names]);
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
     // 30.0 are 3 V and 60 of the pump, which are 5 V: (5 - 1) · 2.
-    let expected = json!({ "SEEN": true, "REAL.GAUGE": 8.0, "REAL.ANALOG_OUTPUT_PHYSICAL+40": 3.0, "READY": true });
+    let expected =
+        json!({ "SEEN": true, "REAL.GAUGE": 8.0, "REAL.ANALOG_OUTPUT_PHYSICAL+40": 3.0, "READY": true });
     assert_eq!(ran.json()["values"], expected);
 }
 

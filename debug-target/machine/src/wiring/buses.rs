@@ -77,7 +77,8 @@ pub(super) fn buses(config: &MachineConfig, lines: &[Line]) -> Vec<(String, Stri
     let licences = &config.licences;
     if licences.key || !licences.features.is_empty() {
         let numbers: Vec<String> = licences.features.iter().map(ToString::to_string).collect();
-        let held = if numbers.is_empty() { "no licence".into() } else { format!("licences {}", numbers.join(", ")) };
+        let held =
+            if numbers.is_empty() { "no licence".into() } else { format!("licences {}", numbers.join(", ")) };
         let key = if licences.key { "" } else { ", but it is not plugged in" };
         rows.push(("hardware key".into(), format!("{held}{key}")));
     }
@@ -110,7 +111,8 @@ fn slave(n: usize, it: &Slave, lines: &[Line]) -> (String, String) {
         (true, None) => "drive".into(),
         _ => "slave".into(),
     };
-    let mut text = format!("{kind}{}{}", some(it.object.len(), "object"), some(it.register.len(), "register"));
+    let mut text =
+        format!("{kind}{}{}", some(it.object.len(), "object"), some(it.register.len(), "register"));
     for (output, verb) in [(false, "gives"), (true, "takes")] {
         let own = lines.iter().filter(|line| line.slave == n && line.output == output);
         let names: Vec<&str> = own.filter_map(|line| line.name.rsplit('.').next()).collect();

@@ -82,7 +82,7 @@ impl CanPacket {
 }
 
 /// A channel of the bus.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Channel {
     /// Not connected: requests are refused and nothing is sent or received.
     inactive: bool,
@@ -93,6 +93,19 @@ struct Channel {
     transmit: VecDeque<CanPacket>,
     receive: VecDeque<CanPacket>,
     sent: VecDeque<CanPacket>,
+}
+
+impl Default for Channel {
+    fn default() -> Channel {
+        Channel {
+            cut: false,
+            inactive: false,
+            blocked: false,
+            transmit: VecDeque::with_capacity(CAN_QUEUE),
+            receive: VecDeque::with_capacity(CAN_QUEUE),
+            sent: VecDeque::with_capacity(SENT),
+        }
+    }
 }
 
 /// A request of CAN_RECV_REQ.
@@ -117,7 +130,7 @@ impl Receiver {
 }
 
 /// Both channels.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct CanBus {
     channels: [Channel; 2],
     receivers: Vec<Receiver>,
@@ -125,6 +138,18 @@ pub struct CanBus {
     arrived: VecDeque<(u32, CanPacket)>,
     last_handle: u32,
     lost: u32,
+}
+
+impl Default for CanBus {
+    fn default() -> CanBus {
+        CanBus {
+            channels: Default::default(),
+            receivers: Vec::with_capacity(MAX_RECEIVERS),
+            arrived: VecDeque::with_capacity(CALLS),
+            last_handle: 0,
+            lost: 0,
+        }
+    }
 }
 
 impl CanBus {
@@ -155,7 +180,9 @@ impl CanBus {
 
     /// A packet arrives: for the procedures that asked for it, else for CAN_RECV. Without room it is lost.
     pub fn feed(&mut self, can: u8, packet: CanPacket) {
-        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive && !channel.cut) else { return };
+        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive && !channel.cut) else {
+            return;
+        };
         let room = channel.receive.len() < CAN_QUEUE;
         let wanted: Vec<u32> =
             self.receivers.iter().filter(|r| r.wants(can, packet)).map(|r| r.handle).collect();

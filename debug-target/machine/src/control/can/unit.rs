@@ -162,7 +162,8 @@ impl Units {
             let first = 3 * usize::from(board.wrapping_sub(1));
             let (INOUT08, Some(ports)) = (*group, shorted.get_mut(first..first + 3)) else { continue };
             let driven = outputs.get(first..first + 3).unwrap_or_default();
-            for ((name, port), driven) in ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().zip(&*ports).zip(driven)
+            for ((name, port), driven) in
+                ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().zip(&*ports).zip(driven)
             {
                 unit.set(name, u32::from(port & driven));
             }

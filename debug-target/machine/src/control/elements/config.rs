@@ -103,7 +103,8 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
         match (&input.port, &input.value) {
             (Some(port), None) => {
                 if compiler.input("port", port).is_some() && port.parse::<Signal>().is_err() {
-                    compiler.error("port", format!("`{port}` is no port; join it to the input by `[[link]]`"));
+                    compiler
+                        .error("port", format!("`{port}` is no port; join it to the input by `[[link]]`"));
                 }
             }
             (None, Some(Value::Text(text))) if !text.is_ascii() => {
@@ -119,7 +120,8 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
         compiler.enter("output", Some(n));
         unique(compiler, "id", &output.id, &mut known);
         if compiler.output("port", &output.port).is_some() && output.port.parse::<Signal>().is_err() {
-            compiler.error("port", format!("`{}` is no port; join the output to it by `[[link]]`", output.port));
+            compiler
+                .error("port", format!("`{}` is no port; join the output to it by `[[link]]`", output.port));
         }
     }
     known.clear();

@@ -1,6 +1,5 @@
 //! Links from outputs to inputs (manual 27.5).
 
-
 use super::mapping::ChannelWiring;
 use super::point::Point;
 use super::{Conversion, Element, ElementError, ElementValue, Elements, MAX_LINKS, cell, name};
@@ -88,7 +87,12 @@ impl Elements {
         &self.wiring
     }
 
-    fn link(&mut self, source: &str, destination: &str, conversion: Conversion) -> Result<Link, ElementError> {
+    fn link(
+        &mut self,
+        source: &str,
+        destination: &str,
+        conversion: Conversion,
+    ) -> Result<Link, ElementError> {
         if self.links.len() >= MAX_LINKS {
             return Err(ElementError::TooMany);
         }
@@ -138,7 +142,6 @@ impl Elements {
         }
     }
 }
-
 
 #[cfg(test)]
 mod tests {

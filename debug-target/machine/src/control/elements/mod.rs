@@ -27,8 +27,8 @@ use link::Link;
 pub use mapping::{Analog, ChannelWiring, Connection, Mapping, Physical};
 pub(crate) use name::normal as identifier;
 use point::{Group, Point};
-pub use value::ElementValue;
 pub(super) use value::CellType;
+pub use value::ElementValue;
 
 /// Elements of each direction; more than any configuration has.
 const MAX_ELEMENTS: usize = 100_000;
@@ -243,9 +243,10 @@ impl Elements {
                 }
                 let element = &inputs.elements[*number];
                 let physical = physical(element, point.physical, call.memory_mut());
-                let mut cell = call.bytes(at as u32, point.size as u32)?.to_vec();
-                put(element, point.kind, &mut cell, physical.as_ref());
-                call.write(at as u32, &cell)?;
+                call.bytes(at as u32, point.size as u32)?;
+                if let Some(cell) = call.memory_mut().get_mut(at..at + point.size) {
+                    put(element, point.kind, cell, physical.as_ref());
+                }
             }
         }
         Ok(())

@@ -6,8 +6,8 @@ use technol_image::op::Width;
 use technol_image::service::Arg;
 use technol_runtime::{Call, FaultKind, Rate};
 
-use super::mapping::Physical;
 use super::MAX_ELEMENTS;
+use super::mapping::Physical;
 use super::value::{CellType, ElementValue};
 
 /// Which instructions declare it.

@@ -111,13 +111,14 @@ pub(crate) fn lines(slaves: &[Slave]) -> Vec<Line> {
 }
 
 fn values(slave: &Slave, output: bool) -> Vec<ProcessData> {
-    let (own, usual) =
-        if output { (&slave.outputs, DRIVE_OUTPUTS) } else { (&slave.inputs, DRIVE_INPUTS) };
+    let (own, usual) = if output { (&slave.outputs, DRIVE_OUTPUTS) } else { (&slave.inputs, DRIVE_INPUTS) };
     match own {
         Some(own) => own.clone(),
         None if slave.drive => {
             let usual = usual.into_iter();
-            usual.map(|(name, kind, object)| ProcessData { name: name.into(), kind, object: Some(object) }).collect()
+            usual
+                .map(|(name, kind, object)| ProcessData { name: name.into(), kind, object: Some(object) })
+                .collect()
         }
         None => Vec::new(),
     }

@@ -67,14 +67,15 @@ impl EtherCat {
             if line.first + line.bytes > room {
                 continue;
             }
-            let element = if line.output { elements.bus_input(&line.id)? } else { elements.bus_output(&line.id)? };
+            let element =
+                if line.output { elements.bus_input(&line.id)? } else { elements.bus_output(&line.id)? };
             let (slave, kind, first, object) = (line.slave, line.cell(), line.first, line.object);
             let values = if line.output { &mut self.image.outputs } else { &mut self.image.inputs };
             values.push(Value { slave, element, kind, first, object });
             link_servo(&slaves[line.slave], &line, elements)?;
         }
-        for (slave, described) in self.slaves.iter_mut().zip(slaves) {
-            slave.drive = described.drive.then(Drive::default);
+        for (slave, _) in self.slaves.iter_mut().zip(slaves).filter(|(_, described)| described.drive) {
+            slave.make_drive();
         }
         Ok(())
     }
@@ -98,7 +99,8 @@ impl EtherCat {
         let EtherCat { image, slaves, .. } = self;
         image.taken.fill(0);
         for value in &image.outputs {
-            let takes = |slave: &&mut super::EcatSlave| slave.state == EcatState::Operational && slave.is_reached();
+            let takes =
+                |slave: &&mut super::EcatSlave| slave.state == EcatState::Operational && slave.is_reached();
             if let Some(slave) = slaves.get_mut(value.slave).filter(takes) {
                 let size = value.kind.size(0);
                 let cell = &mut image.taken[value.first..value.first + size];
@@ -114,7 +116,8 @@ impl EtherCat {
             drive.step();
         }
         for value in &image.inputs {
-            let gives = |slave: &&super::EcatSlave| slave.state >= EcatState::SafeOperational && slave.is_reached();
+            let gives =
+                |slave: &&super::EcatSlave| slave.state >= EcatState::SafeOperational && slave.is_reached();
             let Some(slave) = slaves.get(value.slave).filter(gives) else { continue };
             let own = slave.drive.as_ref().zip(value.object).and_then(|(drive, object)| drive.give(object));
             match own {

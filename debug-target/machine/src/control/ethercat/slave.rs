@@ -1,5 +1,6 @@
 //! Slaves of the EtherCAT master: their states, objects and registers.
 
+use super::layout::object;
 use super::process::Drive;
 use crate::control::objects::{Dictionary, Objects, Refused};
 
@@ -12,9 +13,6 @@ const NO_ELEMENT: u32 = 0x1009;
 const TOO_SHORT: u32 = 0x7002;
 const TOO_LONG: u32 = 0x7003;
 const READ_ONLY: u32 = 0x7004;
-
-/// Object of a drive: its position, four bytes.
-const POSITION: u16 = super::layout::object::POSITION;
 
 /// A state of the master or of a slave, with its number in answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -113,8 +111,15 @@ impl EcatSlave {
     pub(super) fn refresh(&mut self, index: u16, subindex: u8) {
         let own = self.drive.as_ref().and_then(|drive| drive.give(index));
         if let (Some(own), 0) = (own, subindex) {
-            let len = if index == POSITION { 4 } else { 2 };
-            self.objects.set((index, 0), &own[..len], true);
+            self.objects.update(&(index, 0), &own);
+        }
+    }
+
+    /// It is a drive, which has its words as objects too.
+    pub(super) fn make_drive(&mut self) {
+        self.drive = Some(Drive::default());
+        for (index, len) in [(object::STATUS, 2), (object::ERROR, 2), (object::POSITION, 4)] {
+            self.objects.set((index, 0), &[0; 4][..len], true);
         }
     }
 
