@@ -31,21 +31,12 @@ pub(crate) fn program() -> Program {
 /// What the instructions of the control find, so that they do not end at once.
 pub(crate) fn furnish(simulation: &mut Simulation) {
     let text = |text: &str| text.as_bytes().to_vec();
-    let columns = [
-        ("Name", ValueKind::Text),
-        ("Teeth", ValueKind::Int),
-        ("Feed", ValueKind::Real),
-        ("Blob", ValueKind::Bytes),
-    ];
+    let columns =
+        [("Name", ValueKind::Text), ("Teeth", ValueKind::Int), ("Feed", ValueKind::Real), ("Blob", ValueKind::Bytes)];
     let columns = columns.map(|(id, kind)| Column { id: text(id), kind }).to_vec();
-    let row =
-        vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
-    let parameters = [
-        ("Delay", Value::Int(7)),
-        ("Gain", Value::Real(2.5)),
-        ("Name", Value::Text(text("xyz"))),
-        ("Raw", Value::Bytes(vec![9; 40])),
-    ];
+    let row = vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
+    let parameters =
+        [("Delay", Value::Int(7)), ("Gain", Value::Real(2.5)), ("Name", Value::Text(text("xyz"))), ("Raw", Value::Bytes(vec![9; 40]))];
     simulation.set_data(ControlData {
         parameters: parameters.map(|(id, value)| (text(id), value)).into(),
         constants: [(text("Offs"), 260)].into(),
@@ -84,11 +75,7 @@ pub(crate) fn feed(simulation: &mut Simulation, cycle: u32) {
 /// Everything that the program does went all the way through.
 pub(crate) fn happened(simulation: &mut Simulation) {
     let row = simulation.control().data().tables[0].rows[0].clone();
-    assert_ne!(
-        (&row[0], &row[3]),
-        (&Value::Text(b"Steel".to_vec()), &Value::Bytes(vec![1, 2, 3])),
-        "{row:?}"
-    );
+    assert_ne!((&row[0], &row[3]), (&Value::Text(b"Steel".to_vec()), &Value::Bytes(vec![1, 2, 3])), "{row:?}");
     let control = simulation.control_mut();
     assert!(control.can_mut().take_sent(2).len() > 100, "packets were sent");
     assert!(control.can_mut().lost() > 0, "and queues were full");
