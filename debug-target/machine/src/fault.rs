@@ -59,8 +59,9 @@ impl Fault {
         elements: &[Mounted],
         compiler: &mut Compiler<'_>,
     ) -> Option<Fault> {
-        if let Some(effect) = on_bus(config, machine, compiler) {
-            return Some(Fault { name: config.name.clone(), effect: effect?, active: config.active });
+        if is_on_bus(config) {
+            let effect = on_bus(config, machine, compiler)?;
+            return Some(Fault { name: config.name.clone(), effect, active: config.active });
         }
         let config::Fault { input, output, element, stuck, broken, shorted, jammed, slow, .. } = config;
         let on = |flag: &Option<bool>| *flag == Some(true);
@@ -143,62 +144,62 @@ impl Fault {
     }
 }
 
-/// A fault on a bus, if it names one: `None` inside when it is wrong, which was reported.
+/// It says what is wrong with one thing on a bus, and nothing else.
+fn is_on_bus(config: &config::Fault) -> bool {
+    let on = |flag: Option<bool>| flag == Some(true);
+    let flags = [config.broken, config.shorted, config.jammed];
+    let other = config.input.is_some() || config.output.is_some() || config.element.is_some();
+    let other = other || flags.iter().any(Option::is_some) || config.stuck.is_some() || config.slow.is_some();
+    let what = (on(config.lost), on(config.cut), config.error.is_some());
+    let fits = match (&config.slave, config.can_drive, config.can) {
+        (Some(_), None, None) => {
+            matches!(what, (true, false, false) | (false, true, false) | (false, false, true))
+        }
+        (None, Some(_), None) => matches!(what, (true, false, false) | (false, false, true)),
+        (None, None, Some(_)) => what == (false, true, false),
+        _ => false,
+    };
+    fits && !other
+}
+
+/// A fault on a bus.
 fn on_bus(
     config: &config::Fault,
     machine: &config::MachineConfig,
     compiler: &mut Compiler<'_>,
-) -> Option<Option<Effect>> {
-    let config::Fault { input, output, element, stuck, broken, shorted, jammed, slow, .. } = config;
-    let other = input.is_some() || output.is_some() || element.is_some();
-    let kind =
-        [broken, shorted, jammed].iter().any(|flag| flag.is_some()) || stuck.is_some() || slow.is_some();
-    if other || kind {
-        return None;
-    }
-    let on = |flag: Option<bool>| flag == Some(true);
-    let what = (on(config.lost), on(config.cut), config.error);
-    let fault = match (&config.slave, config.can_drive, config.can, what) {
-        (Some(name), None, None, what) => {
-            let Some(place) = machine.ethercat.iter().position(|slave| slave.name == *name) else {
-                compiler.error("slave", format!("no slave of `[[ethercat]]` is called `{name}`"));
-                return Some(None);
-            };
-            let is_drive = machine.ethercat[place].drive;
-            // There are at most 256 slaves.
-            let place = place as u16;
-            match what {
-                (true, false, None) => BusFault::SlaveLost(place),
-                (false, true, None) => BusFault::EtherCatCut(place),
-                (false, false, Some(_)) if !is_drive => {
-                    compiler.error("error", "belongs to a drive; the slave has no `drive = true`");
-                    return Some(None);
-                }
-                (false, false, Some(code)) => BusFault::SlaveError(place, code),
-                _ => return None,
-            }
+) -> Option<Effect> {
+    let is_cut = config.cut == Some(true);
+    let fault = if let Some(name) = &config.slave {
+        let Some(place) = machine.ethercat.iter().position(|slave| slave.name == *name) else {
+            compiler.error("slave", format!("no slave of `[[ethercat]]` is called `{name}`"));
+            return None;
+        };
+        if config.error.is_some() && !machine.ethercat[place].drive {
+            compiler.error("error", "belongs to a drive; the slave has no `drive = true`");
+            return None;
         }
-        (None, Some(axis), None, what) => {
-            if !machine.can_drive.iter().any(|drive| drive.axis == axis) {
-                compiler.error("can-drive", format!("no `[[can-drive]]` is that of axis {axis}"));
-                return Some(None);
-            }
-            match what {
-                (true, false, None) => BusFault::CanDriveLost(axis),
-                (false, false, Some(code)) => BusFault::CanDriveError(axis, code),
-                _ => return None,
-            }
+        // There are at most 256 slaves.
+        let place = place as u16;
+        match config.error {
+            Some(code) => BusFault::SlaveError(place, code),
+            None if is_cut => BusFault::EtherCatCut(place),
+            None => BusFault::SlaveLost(place),
         }
-        (None, None, Some(can), (false, true, None)) => {
-            if !(1..=2).contains(&can) {
-                compiler.error("can", format!("{can} is not between 1 and 2"));
-                return Some(None);
-            }
-            BusFault::CanCut(can)
+    } else if let Some(axis) = config.can_drive {
+        if !machine.can_drive.iter().any(|drive| drive.axis == axis) {
+            compiler.error("can-drive", format!("no `[[can-drive]]` is that of axis {axis}"));
+            return None;
         }
-        _ => return None,
+        config.error.map_or(BusFault::CanDriveLost(axis), |code| BusFault::CanDriveError(axis, code))
+    } else {
+        let can = config.can?;
+        if !(1..=2).contains(&can) {
+            compiler.error("can", format!("{can} is not between 1 and 2"));
+            return None;
+        }
+        BusFault::CanCut(can)
     };
-    Some(Some(Effect::Bus(fault)))
+    Some(Effect::Bus(fault))
 }
 
 fn on_element(

@@ -120,7 +120,7 @@ impl Element<'_> {
         let bit = name.parse().ok().or_else(|| slave_bit(self.lines, name)).map(|signal| (signal, false));
         let whole = || parse_port(name).or_else(|| self.value(name)).map(|port| (port, true));
         let (signal, whole) = bit.or_else(whole)?;
-        let place = if self.is_port(signal) { shown(signal, whole) } else { name.trim().into() };
+        let place = if is_port(signal) { shown(signal, whole) } else { name.trim().into() };
         Some(Wire { signal, whole, place, element: self.element.clone(), text: text.into() })
     }
 
@@ -134,13 +134,6 @@ impl Element<'_> {
         } else {
             Signal::Input { port: port(INPUT_PORTS)?, bit: 0 }
         })
-    }
-
-    fn is_port(&self, signal: Signal) -> bool {
-        match signal {
-            Signal::Input { port, .. } => usize::from(port) < INPUT_PORTS,
-            Signal::Output { port, .. } => usize::from(port) < OUTPUT_PORTS,
-        }
     }
 
     fn drives(&mut self, names: &[String], text: &str) {
@@ -158,6 +151,14 @@ impl Element<'_> {
             let place = if ports.len() == 1 { String::new() } else { format!(", byte {n}") };
             self.driven(port, &format!("{what} in binary{place}"));
         }
+    }
+}
+
+/// It is a bit of a port, not of a slave.
+fn is_port(signal: Signal) -> bool {
+    match signal {
+        Signal::Input { port, .. } => usize::from(port) < INPUT_PORTS,
+        Signal::Output { port, .. } => usize::from(port) < OUTPUT_PORTS,
     }
 }
 

@@ -1,4 +1,5 @@
 //! What is wrong with a description of buses is told, all at once.
+#![allow(clippy::unwrap_used)] // tests
 
 use technol_machine::{MachineConfig, Plant};
 

@@ -63,10 +63,10 @@ fn link(it: &Link) -> (String, String) {
 fn conversion_text(invert: bool, scale: f64, offset: f64) -> String {
     let mut text = String::from(inverted(invert));
     if scale != 1.0 {
-        text.push_str(&format!(", times {scale}"));
+        text = format!("{text}, times {scale}");
     }
     if offset != 0.0 {
-        text.push_str(&format!(", plus {offset}"));
+        text = format!("{text}, plus {offset}");
     }
     text
 }
@@ -117,7 +117,7 @@ fn slave(n: usize, it: &Slave, lines: &[Line]) -> (String, String) {
         let own = lines.iter().filter(|line| line.slave == n && line.output == output);
         let names: Vec<&str> = own.filter_map(|line| line.name.rsplit('.').next()).collect();
         if !names.is_empty() {
-            text.push_str(&format!("; {verb} {}", names.join(", ")));
+            text = format!("{text}; {verb} {}", names.join(", "));
         }
     }
     let name = if it.name.is_empty() { String::new() } else { format!(" \"{}\"", it.name) };

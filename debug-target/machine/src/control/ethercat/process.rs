@@ -120,13 +120,12 @@ impl EtherCat {
                 |slave: &&super::EcatSlave| slave.state >= EcatState::SafeOperational && slave.is_reached();
             let Some(slave) = slaves.get(value.slave).filter(gives) else { continue };
             let own = slave.drive.as_ref().zip(value.object).and_then(|(drive, object)| drive.give(object));
-            match own {
-                Some(own) => elements.set_bus_output(value.element, value.kind, &own),
-                None => {
-                    let size = value.kind.size(0);
-                    let cell = &image.given[value.first..value.first + size];
-                    elements.set_bus_output(value.element, value.kind, cell);
-                }
+            if let Some(own) = own {
+                elements.set_bus_output(value.element, value.kind, &own);
+            } else {
+                let size = value.kind.size(0);
+                let cell = &image.given[value.first..value.first + size];
+                elements.set_bus_output(value.element, value.kind, cell);
             }
         }
     }
