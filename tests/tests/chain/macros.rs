@@ -32,6 +32,13 @@ fn a_call_does_what_its_lines_do() {
              LIMITED W1 / LIMITED W2",
             "W1=100 W2=50",
         ),
+        // Another word for it.
+        (
+            "IB=1",
+            "DEF_T_MACRO COPY FROM,TO / LDR TMAC.FROM / WR TMAC.TO / END_T_MACRO T_END / \
+             APPEND_T_MACRO SHOW,COPY,T_END / SHOW I0,O4",
+            "OB=10h",
+        ),
         // What opens an equation and what takes it back.
         (
             "IB=0Ch",

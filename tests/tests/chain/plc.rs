@@ -10,6 +10,7 @@ use technol_machine::{MachineConfig, SimulatedControl};
 use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::{Simulation, parse_machine};
 
+use crate::coverage::{left_out, loaded, recorded};
 use crate::frame;
 
 /// The cells of the tables; they lie one behind the other in this order.
@@ -117,9 +118,10 @@ impl Plc {
     }
 
     fn load(source: String, machine: Option<&MachineConfig>) -> Plc {
-        let built = build(&OneFile(source), "plc.plc");
-        let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, machine).expect("it can be loaded");
+        let mut image = recorded(&source, || build(&OneFile(source.clone()), "plc.plc").image);
+        left_out(&source, &mut image);
+        let debug = image.debug.expect("a build has debug information");
+        let mut simulation = loaded(Simulation::new(image.program, machine));
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
