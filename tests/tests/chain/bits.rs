@@ -56,6 +56,11 @@ fn the_equation_stack() {
 }
 
 #[test]
+fn a_check_changes_nothing() {
+    check(&[("IB=1", "LOD FIVE / LDR I0 / WR O0 / CHECK / WR O1 / STO B1", "OB=3 B1=5 RLO=1")]);
+}
+
+#[test]
 fn writing_bits() {
     check(&[
         ("IB=1", "LDR I0 / WR O0,O2,OB.I5", "OB=25h"),

@@ -2,35 +2,49 @@
 
 use crate::plc::{Row, check};
 
-#[test]
-fn every_relation_at_every_width() {
-    // DR is 5 at the widths 8, 16, 32 and 64; the operands are 4, 5, 6 and -1.
-    let relations: [(&str, [bool; 4]); 5] = [
-        ("EQ", [false, true, false, false]),
-        ("LT", [false, false, true, false]),
-        ("GT", [true, false, false, true]),
-        ("LE", [false, true, true, false]),
-        ("GE", [true, true, false, true]),
-    ];
+/// DR is 5 at the widths 8, 16, 32 and 64; the operands are 4, 5, 6 and -1.
+#[track_caller]
+fn at_every_width(relation: &str, results: [bool; 4]) {
     let mut rows: Vec<Row> = Vec::new();
-    for (relation, results) in relations {
-        for (operand, result) in ["4", "5", "6", "-1"].into_iter().zip(results) {
-            let cells =
-                ["B1", "W1", "D1", "QWRD.Q1"].map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
-            let prefixed = ["BYTE.AREA", "WORD.AREA", "DWRD.AREA", "HIGH.W1"]
-                .map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
-            let number = (String::new(), operand.to_owned());
-            let real = (format!("REAL.R1={operand}.0"), "REAL.R1".to_owned());
-            let constant = (String::new(), format!("CNST.{operand}"));
-            let real_constant = (String::new(), format!("CNST.{operand}.0"));
-            for (given, compared) in cells.into_iter().chain(prefixed).chain([number, real, constant, real_constant]) {
-                let lines = format!("LOD CNST.5.0 / {relation} {compared} / WR O0");
-                let then = format!("OB={} DR64=5 DR_REAL=5.0", u8::from(result));
-                rows.push((leak(given), leak(lines), leak(then)));
-            }
+    for (operand, result) in ["4", "5", "6", "-1"].into_iter().zip(results) {
+        let cells = ["B1", "W1", "D1", "QWRD.Q1", "BYTE.AREA", "WORD.AREA", "DWRD.AREA", "HIGH.W1"]
+            .map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
+        let number = (String::new(), operand.to_owned());
+        let real = (format!("REAL.R1={operand}.0"), "REAL.R1".to_owned());
+        let constant = (String::new(), format!("CNST.{operand}"));
+        let real_constant = (String::new(), format!("CNST.{operand}.0"));
+        for (given, compared) in cells.into_iter().chain([number, real, constant, real_constant]) {
+            let lines = format!("LOD CNST.5.0 / {relation} {compared} / WR O0");
+            let then = format!("OB={} DR64=5 DR_REAL=5.0", u8::from(result));
+            rows.push((leak(given), leak(lines), leak(then)));
         }
     }
     check(&rows);
+}
+
+#[test]
+fn equal_at_every_width() {
+    at_every_width("EQ", [false, true, false, false]);
+}
+
+#[test]
+fn less_at_every_width() {
+    at_every_width("LT", [false, false, true, false]);
+}
+
+#[test]
+fn greater_at_every_width() {
+    at_every_width("GT", [true, false, false, true]);
+}
+
+#[test]
+fn less_or_equal_at_every_width() {
+    at_every_width("LE", [false, true, true, false]);
+}
+
+#[test]
+fn greater_or_equal_at_every_width() {
+    at_every_width("GE", [true, true, false, true]);
 }
 
 /// Rows are written as literals; these are few.

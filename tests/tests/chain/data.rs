@@ -48,19 +48,35 @@ fn storing() {
         (Q, "LOD QWRD.Q1 / STO D1", "D1=55667788h D2=0"),
         (Q, "LOD QWRD.Q1 / STO QWRD.AREA", "QWRD.AREA=1122334455667788h QWRD.(AREA+8)=0"),
         (Q, "LOD QWRD.Q1 / STO HIGH.W1", "W1=8800h"),
-        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 BYTE.AREA / LDR I0 / STO1 BYTE.LONG", "WORD.AREA=88h WORD.LONG=6261h"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR -I0 / STO1 BYTE.AREA / LDR I0 / STO1 BYTE.LONG",
+            "WORD.AREA=88h WORD.LONG=6261h",
+        ),
         (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 W1 / LDR I0 / STO1 W2", "W1=7788h W2=0"),
         (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 D1 / LDR I0 / STO1 D2", "D1=55667788h D2=0"),
         (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 DWRD.AREA", "QWRD.AREA=55667788h"),
         (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 HIGH.W1 / LDR I0 / STO1 HIGH.W2", "W1=8800h W2=0"),
-        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 QWRD.Q2 / LDR I0 / STO1 QWRD.AREA", "QWRD.Q2=1122334455667788h QWRD.AREA=0"),
-        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 BYTE.AREA / LDR -I0 / STO0 BYTE.LONG", "WORD.AREA=88h WORD.LONG=6261h"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR -I0 / STO1 QWRD.Q2 / LDR I0 / STO1 QWRD.AREA",
+            "QWRD.Q2=1122334455667788h QWRD.AREA=0",
+        ),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR I0 / STO0 BYTE.AREA / LDR -I0 / STO0 BYTE.LONG",
+            "WORD.AREA=88h WORD.LONG=6261h",
+        ),
         (Q, "LOD QWRD.Q1 / LDR I0 / STO0 W1 / LDR -I0 / STO0 W2", "W1=7788h W2=0"),
         (Q, "LOD QWRD.Q1 / LDR I0 / STO0 WORD.AREA / LDR -I0 / STO0 WORD.W2", "QWRD.AREA=7788h W2=0"),
         (Q, "LOD QWRD.Q1 / LDR I0 / STO0 D1 / LDR -I0 / STO0 D2", "D1=55667788h D2=0"),
         (Q, "LOD QWRD.Q1 / LDR I0 / STO0 DWRD.AREA", "QWRD.AREA=55667788h"),
         (Q, "LOD QWRD.Q1 / LDR I0 / STO0 HIGH.W1 / LDR -I0 / STO0 HIGH.W2", "W1=8800h W2=0"),
-        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 QWRD.Q2 / LDR -I0 / STO0 QWRD.AREA", "QWRD.Q2=1122334455667788h QWRD.AREA=0"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR I0 / STO0 QWRD.Q2 / LDR -I0 / STO0 QWRD.AREA",
+            "QWRD.Q2=1122334455667788h QWRD.AREA=0",
+        ),
         ("", "LOD CNST.0.5 / LDR I0 / STO0 REAL.R1 / LDR -I0 / STO0 REAL.R2", "REAL.R1=0.5 REAL.R2=0.0"),
         ("W1=0FFFFh", "LOD CNST.1 / STO BYTE.W1", "W1=0FF01h"),
         ("", "LOD CNST.2.5 / STO REAL.R1 / STO W1", "REAL.R1=2.5 W1=2"),
@@ -107,7 +123,9 @@ fn moving() {
 fn local_cells_and_structures() {
     let local = "DATA_LOCAL / KEPT: DS 2 / DATA_LOCAL_END";
     // INTERNAL is what DATA_LOCAL declares.
-    let lines = format!("{local} / LOD KEPT / STO W1 / LOD CNST.300 / STO KEPT / LDR I0 / JL0 L / CLEAR INTERNAL,ALL / L:");
+    let lines = format!(
+        "{local} / LOD KEPT / STO W1 / LOD CNST.300 / STO KEPT / LDR I0 / JL0 L / CLEAR INTERNAL,ALL / L:"
+    );
     let mut plc = Plc::of(&lines);
     plc.run(2);
     assert_eq!(plc.differences("W1=300"), [""; 0]);

@@ -111,7 +111,10 @@ fn messages_have_their_numbers_and_values() {
             "ESET WORD.AREA,DWRD.D1,0,DWRD.D2,CNST.-3,DWRD.AREA",
             (7, Some(70_000), false, [Some(-9), Some(-3), Some(0x10_0007)]),
         ),
-        ("LOD CNST.9 / ESET -,CNST.2,-,CNST.1,DWRD.D1,CNST.6", (9, Some(2), true, [Some(1), Some(70_000), Some(6)])),
+        (
+            "LOD CNST.9 / ESET -,CNST.2,-,CNST.1,DWRD.D1,CNST.6",
+            (9, Some(2), true, [Some(1), Some(70_000), Some(6)]),
+        ),
         ("ESET FIVE,-,1,-,-,D2", (5, None, true, [None, None, Some(-9)])),
         ("ESET 12,-,-,3,-", (12, None, true, [Some(3), None, None])),
         ("ESET 12,3,0,-,-,-", (12, Some(3), false, none)),

@@ -97,6 +97,9 @@ fn macros(
 
 /// What closes the section that this word opens.
 fn closer(entry: &Entry) -> Option<String> {
+    if !matches!(entry.kind, EntryKind::Structure | EntryKind::Directive | EntryKind::Declaration) {
+        return None;
+    }
     let closer = match entry.name {
         "MECH_BEGIN" => "MECH_END".to_owned(),
         "PROC_BEGIN" => "PROC_END".to_owned(),
