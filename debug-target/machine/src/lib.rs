@@ -36,12 +36,12 @@ pub use compile::ConfigError;
 pub use config::MachineConfig;
 pub use control::{
     CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, Column, ControlData, Conversion, EcatSlave, EcatState,
-    ElementError, ElementValue, EtherCat, Licences, SERIAL_QUEUE, SerialPort, Shared, SimulatedControl,
+    ElementError, ElementValue, EtherCat, Licences, MessageBoard, MessageKind, MessageText, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl,
     Table, Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};
-pub use settings::{ControlSettings, SpindleGear};
+pub use settings::ControlSettings;
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
 pub use wiring::{Wire, Wiring, wiring};

@@ -25,6 +25,7 @@ mod modules;
 mod plc;
 mod serial;
 mod shared;
+mod slides;
 mod tables;
 mod texts;
 mod time;
