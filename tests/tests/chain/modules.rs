@@ -10,7 +10,7 @@ const DATA: &str = "IB: DFM I0,I1\nOB: DFM O0,O1,O2,O3\nW1: DS 2\nW2: DS 2\nW3: 
 
 /// A program with these lines of MODULE_MAIN and of one of the mandatory modules.
 fn plc(main: &str, module: &str, lines: &str) -> Plc {
-    let text = |lines: &str| -> String { lines.split(" / ").map(|line| format!(" {line}\n")).collect() };
+    let text = |lines: &str| -> String { lines.split(" / ").flat_map(|line| [" ", line, "\n"]).collect() };
     let source = frame::program(DATA, text(main).trim_end(), "");
     let begin = format!("{module}\n");
     assert!(source.contains(&begin));

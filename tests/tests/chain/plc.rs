@@ -103,24 +103,24 @@ impl Plc {
         let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
         let modules: String =
             modules.split(" / ").flat_map(|line| [indented(line), "\n".to_owned()]).collect();
-        Plc::load(source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
+        Plc::load(&source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
     }
 
     /// A program of these lines of MODULE_MAIN in front of a machine, past MODULE_INIT.
     pub(crate) fn before(machine: &str, lines: &str) -> Plc {
         let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
         let machine = parse_machine(Path::new("machine.toml"), machine).expect("a machine");
-        Plc::load(frame::program(DATA, &main.join("\n"), ""), Some(&machine))
+        Plc::load(&frame::program(DATA, &main.join("\n"), ""), Some(&machine))
     }
 
     /// A program of this text, past MODULE_INIT.
     pub(crate) fn from_source(source: String) -> Plc {
-        Plc::load(source, None)
+        Plc::load(&source, None)
     }
 
-    fn load(source: String, machine: Option<&MachineConfig>) -> Plc {
-        let mut image = recorded(&source, || build(&OneFile(source.clone()), "plc.plc").image);
-        left_out(&source, &mut image);
+    fn load(source: &str, machine: Option<&MachineConfig>) -> Plc {
+        let mut image = recorded(source, || build(&OneFile(source.to_owned()), "plc.plc").image);
+        left_out(source, &mut image);
         Plc::of_image(image, machine)
     }
 

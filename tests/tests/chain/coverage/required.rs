@@ -72,7 +72,9 @@ fn of_kind(kind: OperandKind, variants: &mut BTreeSet<String>) {
         OperandKind::NumberOf(numbers) => numbers.iter().for_each(|n| insert(&format!("={n}"))),
         OperandKind::Keyword(words) => words.iter().for_each(|word| insert(&word.to_ascii_uppercase())),
         OperandKind::KeywordOrNumber(words, ..) => {
-            words.iter().for_each(|word| insert(&word.to_ascii_uppercase()));
+            for word in words {
+                insert(&word.to_ascii_uppercase());
+            }
             insert("number");
         }
         OperandKind::Value(prefixes) => {
