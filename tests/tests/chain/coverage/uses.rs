@@ -282,3 +282,14 @@ fn kind_of(name: &str, debug: &DebugInfo) -> &'static str {
         None => "name",
     }
 }
+
+#[test]
+fn a_line_uses_what_it_is_made_of_and_a_comment_nothing() {
+    let source = "DATA\nC: DS 2\nDATA_END\nMECH_BEGIN M\n AD BYTE.C ; STO C\n; LOD C\nMECH_END M\n CA";
+    let found = uses(source, &DebugInfo::default());
+    let of = |line: u32| -> Vec<&str> {
+        found.iter().filter(|(_, lines)| lines.contains(&line)).map(|(using, _)| using.as_str()).collect()
+    };
+    assert_eq!(of(5), ["AD", "AD val: BYTE.", "BYTE", "DATA", "DATA_END", "DS", "MECH_BEGIN", "MECH_END"]);
+    assert_eq!((of(6), of(8)), (vec![], vec!["CA"]));
+}
