@@ -77,6 +77,9 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
                         data.parameters.entry(control_bytes(&it.id.text)).or_insert(value);
                     }
                 }
+                let small = |number: i64| u8::try_from(number).ok();
+                let groups = channel.m_functions.iter();
+                data.m_groups.extend(groups.filter_map(|it| Some((small(it.number)?, small(it.group)?))));
             }
             Contents::Constants(own) => constants.extend(own),
             Contents::TableDefinition(it) => definitions.push((it, path.with_extension("PlcT"))),

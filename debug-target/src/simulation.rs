@@ -9,7 +9,7 @@ use technol_machine::{
     SimulatedControl,
 };
 use technol_runtime::{
-    Block, Command, Gear, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
+    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
 };
 
 use crate::part_program;
@@ -69,12 +69,6 @@ impl Simulation {
         let control = plant.control();
         // Nor another group than those.
         let _ = runtime.set_m_groups(&control.m_groups);
-        let gears: Vec<Gear> = control
-            .gears
-            .iter()
-            .map(|gear| Gear { max_speed: gear.max_speed, max_output: gear.max_output })
-            .collect();
-        runtime.set_gears(&gears);
         runtime.set_conditional_stop(control.conditional_stop);
         let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
         around.prepare(&runtime.program().services);
@@ -123,10 +117,12 @@ impl Simulation {
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
         let Simulation { runtime, plant, control, inputs, moved, starting, waiting, annulled } = self;
-        // Only equality matters, and both halves are mixed already.
-        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {annulled:?}");
+        let rest = format!("{moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
+        // Only equality matters, and the three parts are mixed already.
+        let parts = [plant.state_hash(), control.state_hash()].into_iter();
+        let bytes = inputs.iter().chain(rest.as_bytes()).copied().map(u64::from);
+        parts.chain(bytes).fold(runtime.state_hash(), mix)
     }
 
     /// Replaces what the control has on its disk; PLC_MEM_BACKUP is loaded from there at once.
@@ -134,6 +130,11 @@ impl Simulation {
         let bytes = data.backup.get(..PLC_MEM_BACKUP_LEN as usize).unwrap_or(&data.backup);
         // The system region holds the area, so this does not fail.
         let _ = self.runtime.write_memory(PLC_MEM_BACKUP, bytes);
+        // The machine file wins over the configuration; both were checked where they were read.
+        let own = &self.plant.control().m_groups;
+        let other = |(m, _): &&(u8, u8)| !own.iter().any(|(function, _)| function == m);
+        let groups: Vec<(u8, u8)> = data.m_groups.iter().filter(other).chain(own).copied().collect();
+        let _ = self.runtime.set_m_groups(&groups);
         self.control.set_data(data);
     }
 
@@ -250,6 +251,11 @@ impl Simulation {
                 return;
             }
             PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
+            PlantEvent::Panel { key, pressed } => {
+                // Its axis was checked with the machine.
+                let _ = self.control.motion_mut().panel_key(key, pressed);
+                return;
+            }
             PlantEvent::Start => Command::ContinueBlock,
             PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };
@@ -259,6 +265,10 @@ impl Simulation {
     fn hand_over_blocks(&mut self) {
         while self.runtime.waiting_blocks() < LOOK_AHEAD {
             let Some(block) = self.waiting.pop_front() else { return };
+            if block.ends_program() {
+                let next = self.waiting.iter().position(|block| block.has(BlockFlag::First));
+                self.waiting.drain(..next.unwrap_or(self.waiting.len()));
+            }
             self.runtime.command(Command::StartBlock(block));
         }
     }

@@ -1,5 +1,7 @@
 //! What the PLC program takes from a `*.ChannelConfig`.
 
+use technol_image::system::m_group;
+
 use super::document::{Document, Element, Text};
 use super::duplicates;
 use super::problem::Problem;
@@ -20,6 +22,8 @@ pub struct Channel {
     pub connections: Vec<Connection>,
     /// Serial ports.
     pub ports: Vec<SerialPort>,
+    /// M functions with a group of their own.
+    pub m_functions: Vec<MFunction>,
 }
 
 /// `Input`, `Output`, `AnalogInput`, `AnalogOutput`.
@@ -99,6 +103,17 @@ pub struct SerialPort {
     pub active: bool,
 }
 
+/// `MFunc`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MFunction {
+    /// Which.
+    pub number: i64,
+    /// Its group, 1 to 14.
+    pub group: i64,
+    /// `No`.
+    pub place: Text,
+}
+
 impl ParameterKind {
     /// As `Type` spells it.
     #[must_use]
@@ -149,6 +164,9 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
             ("PlcParam", Some("Plc")) => channel.parameters.extend(parameter(element, problems)),
             ("Connection", Some("Connections")) => channel.connections.extend(connection(element)),
             ("ComChannel", _) => channel.ports.extend(port(element)),
+            ("MFunc" | "MFuncs", Some("MFunctions")) => {
+                channel.m_functions.extend(m_function(element, problems));
+            }
             _ => {}
         }
     }
@@ -164,6 +182,7 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
     let parameters = channel.parameters.iter().map(|it| (it.id.text.as_str(), &it.id));
     duplicates::find(parameters, "identifier", problems);
     duplicates::find(channel.ports.iter().map(|it| (it.number, &it.place)), "number", problems);
+    duplicates::find(channel.m_functions.iter().map(|it| (it.number, &it.place)), "number", problems);
     channel
 }
 
@@ -220,6 +239,25 @@ fn port(element: &Element) -> Option<SerialPort> {
     let place = identifier(element, "No")?;
     let active = element.attribute("Active").and_then(Text::integer) == Some(1);
     Some(SerialPort { number: place.integer()?, place, active })
+}
+
+/// One that has a fixed group cannot be moved out of it (8.3.5); what is wrong with one number alone was reported before.
+fn m_function(element: &Element, problems: &mut Vec<Problem>) -> Option<MFunction> {
+    let place = identifier(element, "No")?;
+    let number = place.integer()?;
+    let group = element.attribute("GroupNo");
+    let fixed = u8::try_from(number).ok().and_then(m_group).map(i64::from);
+    let (Some(text), Some(own)) = (group, fixed) else {
+        let group = group.map_or(Some(fixed.unwrap_or(14)), Text::integer)?;
+        return Some(MFunction { number, group, place });
+    };
+    let group = text.integer()?;
+    if group != own {
+        let message = format!("M{number:02} belongs to group {own} and cannot be moved to group {group}");
+        problems.push(Problem::new(&rules::WRONG_CONFIGURATION_VALUE, text.span, message));
+        return None;
+    }
+    Some(MFunction { number, group, place })
 }
 
 /// `MinVal` above `MaxVal`: nothing would pass.

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use crate::block::{BlockFlag, BlockMode};
 pub use crate::control::elements::config::{Input, Link, Number, Output, Value};
 use crate::drive::{Outputs, Signals};
-use crate::motion::Thousandths;
+use crate::motion::{PanelKey, Thousandths};
 use crate::motion::config::{Axis, Spindle};
 
 pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
@@ -378,6 +378,8 @@ pub struct Key {
     pub input: Option<String>,
     /// PLC command that the control tells `_ON_CMD` when it is pressed and released.
     pub command: Option<i32>,
+    /// What it does with axes and spindles.
+    pub panel: Option<PanelKey>,
     /// Off while it is pressed (a normally closed stop button).
     #[serde(default)]
     pub invert: bool,
@@ -428,7 +430,7 @@ pub struct Block {
     pub t: Option<u32>,
     /// H function, 0..=99.
     pub h: Option<u8>,
-    /// How long its movement takes; 0: a block without movement.
+    /// How long its movement takes; 0: a block without movement, unless it has targets.
     pub motion_ms: u32,
     /// Rapid traverse.
     pub rapid: bool,
@@ -436,7 +438,11 @@ pub struct Block {
     pub mode: BlockMode,
     /// Spindle speed in rev/min.
     pub speed: Option<f64>,
-    /// Feed in mm/min.
+    /// Constant cutting speed in m/min, for blocks with its flag.
+    pub cutting_speed: Option<f64>,
+    /// Largest spindle speed at constant cutting speed in rev/min.
+    pub speed_limit: Option<f64>,
+    /// Feed in mm/min, or with `rev-feed` in mm/rev.
     pub feed: Option<f64>,
     /// Largest feed in mm/min.
     pub feed_max: Option<f64>,

@@ -42,6 +42,6 @@ pub use control::{
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};
-pub use settings::{ControlSettings, SpindleGear};
+pub use settings::ControlSettings;
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
 pub use wiring::{Wire, Wiring, wiring};

@@ -21,7 +21,7 @@ use crate::key::Key;
 use crate::latch::Latch;
 use crate::limit::Limit;
 use crate::motion::switch::AxisSwitch;
-use crate::motion::{self, Motion};
+use crate::motion::{self, Motion, PanelKey};
 use crate::ramp::Ramp;
 use crate::settings::{self, ControlKey, ControlKeys, ControlSettings};
 use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
@@ -40,6 +40,13 @@ pub enum PlantEvent {
     Command {
         /// Its code.
         code: i32,
+        /// Pressed.
+        pressed: bool,
+    },
+    /// A key that concerns axes and spindles was pressed or released.
+    Panel {
+        /// Which.
+        key: PanelKey,
         /// Pressed.
         pressed: bool,
     },
@@ -212,8 +219,7 @@ impl Plant {
             fault.spoil_inputs(inputs);
         }
         let mut events = Vec::new();
-        let commands = self.keys.iter_mut().filter_map(Key::command);
-        events.extend(commands.map(|(code, pressed)| PlantEvent::Command { code, pressed }));
+        events.extend(self.keys.iter_mut().flat_map(Key::events));
         self.control_events(World { outputs: &outputs, before: inputs }, &mut events);
         for program in &mut self.programs {
             let blocks = program.step(self.millis, &outputs, inputs);

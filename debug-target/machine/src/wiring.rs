@@ -261,6 +261,7 @@ fn key(e: &Key, wiring: &mut Wiring) {
     if let Some(command) = e.command {
         does.push(format!("tells _ON_CMD {command}"));
     }
+    does.extend(e.panel.map(crate::motion::PanelKey::describe));
     wiring.keys.push((e.name.clone(), does.join(", ")));
 }
 
@@ -295,7 +296,16 @@ fn describe_block(n: usize, block: &Block) -> String {
         (_, Some(signal)) => format!("when {signal} goes on"),
         _ => "after the block before it".to_string(),
     };
-    let motion =
-        if block.motion_ms > 0 { format!(", moves for {} ms", block.motion_ms) } else { String::new() };
+    let targets = || {
+        let each = block.axes.iter().map(|(axis, target)| format!("axis {} to {target} mm", axis + 1));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let motion = match (&block.axes[..], block.motion_ms, block.rapid, block.feed) {
+        ([], 0, ..) => String::new(),
+        ([], millis, ..) => format!(", moves for {millis} ms"),
+        (_, _, true, _) => format!(", rapid traverse: {}", targets()),
+        (_, _, _, Some(feed)) => format!(", feed {feed}: {}", targets()),
+        _ => format!(", {}", targets()),
+    };
     format!("{} {when}{motion}", block_name(n, block))
 }

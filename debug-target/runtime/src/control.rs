@@ -8,6 +8,7 @@ use technol_image::service::{Arg, Service};
 
 use crate::fault::FaultKind;
 use crate::memory::Memory;
+use crate::prepared::BLOCK_AXES;
 use crate::registers::{Registers, mask, sign_extend};
 
 /// How often something is copied between the program and the control.
@@ -43,6 +44,70 @@ pub struct ControlCall {
     pub procedure: u16,
     /// DR at its start.
     pub dr: i64,
+}
+
+/// What holds the axes that the control moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Hold {
+    /// Nothing: they go on.
+    #[default]
+    Go,
+    /// STOP.
+    Stop,
+    /// Emergency stop: by the steepest ramps.
+    Emergency,
+}
+
+/// What a block says about the spindle. PB11 and PB12, and the gear of M40, are the control's to write.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BlockSpindle {
+    /// A speed that the block programs, in rev/min.
+    pub programmed: Option<f64>,
+    /// The speed in force, in rev/min: that of this block, or of one before it.
+    pub speed: f64,
+    /// M40 is in force: the gear follows the speed.
+    pub automatic_gear: bool,
+    /// This block programs M40.
+    pub gear_programmed: bool,
+    /// Constant cutting speed (G96) in mm/min; `None`: the speed counts (G97).
+    pub cutting_speed: Option<f64>,
+    /// Largest speed at constant cutting speed in rev/min; 0: that of the gear.
+    pub speed_limit: f64,
+}
+
+/// Where a block moves its axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlockMotion<'a> {
+    /// Targets of the NC axes, X first: absolute, in mm.
+    pub targets: &'a [Option<f64>; BLOCK_AXES],
+    /// Feed in mm/min; with `per_revolution` in mm/rev.
+    pub feed: f64,
+    /// G95.
+    pub per_revolution: bool,
+    /// Rapid traverse.
+    pub rapid: bool,
+}
+
+/// What the control answers when a block asks for its axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AxesOfBlock {
+    /// It has no axes: the block takes the time it says ([`Block::motion_ms`](crate::Block::motion_ms)).
+    None,
+    /// An axis is not free. It is asked again in the next cycle.
+    Busy,
+    /// They wait for the release.
+    Taken,
+}
+
+/// How the axes of a block stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BlockWay {
+    /// On their way, or held.
+    Moving,
+    /// At their targets, within the tolerance.
+    Arrived,
+    /// The control had to give the movement up; only central annulment ends the block.
+    Lost,
 }
 
 /// The control around a program. Every method is called from [`Runtime::tick_with`](crate::Runtime::tick_with), on its thread;
@@ -86,6 +151,45 @@ pub trait Control {
     /// The PLC starts: what the program declared before is forgotten. `cold`: everything is as at power-on.
     fn start(&mut self, cold: bool) {
         let _ = cold;
+    }
+
+    /// A block was taken over; its functions are in the block cells. The control writes the spindle value and chooses the gear.
+    fn block_spindle(&mut self, spindle: &BlockSpindle, memory: &mut [u8]) {
+        let _ = (spindle, memory);
+    }
+
+    /// A block with targets was taken over: the control takes the axes and tells the program which ones; they wait.
+    fn take_axes(&mut self, motion: &BlockMotion<'_>, memory: &mut [u8]) -> AxesOfBlock {
+        let _ = (motion, memory);
+        AxesOfBlock::None
+    }
+
+    /// The preparatory functions are through: the axes that were taken may move.
+    fn release_axes(&mut self) {}
+
+    /// How the axes that were taken stand. Asked in each cycle after their release.
+    fn block_way(&self) -> BlockWay {
+        BlockWay::Arrived
+    }
+
+    /// No axis moves or has a position error above its tolerance: INPOS. Asked in each millisecond.
+    fn in_position(&self) -> bool {
+        true
+    }
+
+    /// STOP or emergency stop, or the start after it; it concerns whatever the control moves by itself.
+    fn hold(&mut self, hold: Hold) {
+        let _ = hold;
+    }
+
+    /// Something waits for a start since [`hold`](Control::hold).
+    fn is_held(&self) -> bool {
+        false
+    }
+
+    /// The block was broken off, or the PLC ends: its axes stop, and nothing is held any more.
+    fn end_block(&mut self, memory: &mut [u8]) {
+        let _ = memory;
     }
 
     /// After a cold start has cleared memory and before MODULE_INIT: what is kept while the power is off comes back.

@@ -34,21 +34,26 @@ mod plan;
 mod ports;
 mod prepared;
 mod registers;
+mod replay;
 mod runtime;
 mod sequence;
 mod state_hash;
 mod supervisor;
 mod texts;
 mod timing;
+mod trace;
 mod validate;
 
 pub use block::{Block, BlockMode, Rejection};
-pub use control::{Call, Control, ControlCall, ControlMessage, NoControl, Rate};
+pub use control::{
+    AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, Hold,
+    NoControl, Rate,
+};
 pub use debugger::{BreakpointError, Frame, Resume, Stop, StopReason};
 pub use event::{Command, PlcState, RateKind, RuntimeEvent};
 pub use fault::{Fault, FaultKind};
 pub use load_error::{LoadError, LoadItem};
-pub use m_functions::{Gear, GroupError};
+pub use m_functions::GroupError;
 pub use memory::AccessError;
 pub use plan::PeriodError;
 pub use ports::{InputImage, OutputImage};
@@ -56,3 +61,4 @@ pub use prepared::{BLOCK_AXES, BLOCK_PARAMETERS, BlockFlag, BlockFlags, BlockRea
 pub use registers::Registers;
 pub use runtime::{Limits, Runtime, TickOutcome};
 pub use sequence::SequenceState;
+pub use trace::{TraceEntry, TraceValues};

@@ -20,7 +20,7 @@ use crate::event::{Command, PlcState};
 use crate::execute::Machine;
 use crate::fault::Fault;
 use crate::load_error::LoadError;
-use crate::m_functions::{Gear, GroupError, Groups};
+use crate::m_functions::{GroupError, Groups};
 use crate::memory::{AccessError, Memory};
 use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
@@ -28,6 +28,7 @@ use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
 use crate::state_hash;
 use crate::supervisor::PlcEvent;
+use crate::trace::Trace;
 use crate::validate::validate;
 
 /// Commands that a host may give between two ticks without memory being asked for.
@@ -99,6 +100,8 @@ pub struct Runtime {
     pub(crate) debugger: Debugger,
     /// Somebody counts statements.
     pub(crate) coverage: Option<Coverage>,
+    /// Somebody looks at the registers.
+    pub(crate) trace: Option<Trace>,
 }
 
 impl Runtime {
@@ -134,6 +137,7 @@ impl Runtime {
             spent: 0,
             debugger: Debugger::new(),
             coverage: None,
+            trace: None,
             program,
         };
         runtime.initialise_memory();
@@ -215,11 +219,6 @@ impl Runtime {
     pub fn set_m_groups(&mut self, groups: &[(u8, u8)]) -> Result<(), GroupError> {
         self.block.groups = Groups::with(groups)?;
         Ok(())
-    }
-
-    /// The gears of the spindle, lowest first; M41 to M44 choose one, M40 leaves that to the programmed speed.
-    pub fn set_gears(&mut self, gears: &[Gear]) {
-        self.block.gears = gears.to_vec();
     }
 
     /// M01 stops the program like M00.

@@ -23,6 +23,7 @@ mod messages;
 mod plc;
 mod serial;
 mod shared;
+mod slides;
 mod tables;
 mod texts;
 mod time;

@@ -42,6 +42,7 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         constants: [(text("Offs"), 260)].into(),
         tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
         backup: vec![1; 100],
+        ..ControlData::default()
     });
     let control = simulation.control_mut();
     control.serial_mut(1);

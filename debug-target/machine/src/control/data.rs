@@ -18,6 +18,8 @@ pub struct ControlData {
     pub tables: Vec<Table>,
     /// PLC_MEM_BACKUP as it was saved last; missing bytes are 0 (manual 18.1).
     pub backup: Vec<u8>,
+    /// M functions and their groups (`MFunctions`, manual 8.3.5); those that cannot be are left out.
+    pub m_groups: Vec<(u8, u8)>,
 }
 
 impl ControlData {

@@ -2,10 +2,13 @@
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
 use technol_image::service::{Arg, Service, ServiceCall};
-use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
+use technol_runtime::{
+    AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, FaultKind,
+    Hold, Rate,
+};
 
 use crate::config::MachineConfig;
-use crate::motion::{Cells, Motion};
+use crate::motion::{BlockState, Cells, Motion};
 use crate::signal::Signal;
 
 mod axes;
@@ -84,6 +87,12 @@ impl SimulatedControl {
         };
         control.connect_buses(machine);
         control
+    }
+
+    /// A number that two controls share when they go on the same way from here.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        crate::state_hash::of(self)
     }
 
     /// Axes and spindles.
@@ -344,6 +353,42 @@ impl Control for SimulatedControl {
 
     fn next_call(&mut self, memory: &mut [u8]) -> Option<ControlCall> {
         self.can.next_call(memory)
+    }
+
+    fn block_spindle(&mut self, spindle: &BlockSpindle, memory: &mut [u8]) {
+        self.motion.program_spindle(&mut Cells::new(memory), spindle);
+    }
+
+    fn take_axes(&mut self, motion: &BlockMotion<'_>, memory: &mut [u8]) -> AxesOfBlock {
+        axes::take(&mut self.motion, motion, memory)
+    }
+
+    fn release_axes(&mut self) {
+        self.motion.release_block();
+    }
+
+    fn block_way(&self) -> BlockWay {
+        match self.motion.block() {
+            BlockState::None => BlockWay::Lost,
+            BlockState::Done if self.motion.arrived() => BlockWay::Arrived,
+            BlockState::Moving | BlockState::Done => BlockWay::Moving,
+        }
+    }
+
+    fn in_position(&self) -> bool {
+        self.motion.in_position() && !self.motion.moves()
+    }
+
+    fn hold(&mut self, hold: Hold) {
+        self.motion.hold(hold);
+    }
+
+    fn is_held(&self) -> bool {
+        self.motion.is_held()
+    }
+
+    fn end_block(&mut self, memory: &mut [u8]) {
+        self.motion.annul(&mut Cells::new(memory));
     }
 
     fn start(&mut self, cold: bool) {

@@ -156,8 +156,11 @@ impl State {
                 motion.pos_control(cells, *axis, control)
             }
             Act::Block(travel, feed, rapid) => {
-                let block = BlockMove { travel: travel.clone(), feed: f64::from(*feed), rapid: *rapid };
-                motion.begin_block(&block)
+                let travel: Vec<_> = travel.iter().map(|(axis, way)| (*axis, *way as f64)).collect();
+                let block = BlockMove { rapid: *rapid, ..BlockMove::at_feed(&travel, f64::from(*feed)) };
+                let begun = motion.begin_block(cells, &block);
+                motion.release_block();
+                begun
             }
             Act::Home(axis) => motion.home(cells, *axis),
             Act::ToSpindle(axis, role) => motion.ax_spi(cells, *axis, *role),
