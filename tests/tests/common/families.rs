@@ -60,6 +60,7 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         ]
         .map(|(number, kind, persistent, it)| (number, MessageText { kind, persistent, text: text(it) }))
         .into(),
+        ..ControlData::default()
     });
     let control = simulation.control_mut();
     control.serial_mut(1);
