@@ -8,11 +8,16 @@ use std::path::{Path, PathBuf};
 use technol_analysis::configuration::channel::{Parameter, ParameterKind};
 use technol_analysis::configuration::constants::{Constant, ConstantValue};
 use technol_analysis::configuration::document::integer;
+use technol_analysis::configuration::messages::Message;
 use technol_analysis::configuration::table::{self, ColumnKind, TableDefinition};
 use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, control_text, read};
 use technol_analysis::project::LoadedProject;
-use technol_machine::{Column, ControlData, MachineConfig, Table, Value, ValueKind};
-use technol_target::{Keep, TableWriter};
+use technol_machine::{
+    Column, ControlData, MachineConfig, MessageKind, MessageText, Table, Value, ValueKind,
+};
+use technol_target::{EventLog, Keep, TableWriter};
+
+use crate::exit::Failure;
 
 /// First offset of reals in shared area 0; integers begin at 0.
 const FIRST_REAL: i64 = 16_000;
@@ -35,6 +40,25 @@ pub(crate) fn control_data(
     let mut keep = Keep::new(backup.or(named), writer);
     keep.load(&mut data)?;
     Ok((data, keep))
+}
+
+/// The event log that `--log` names. `dated`: its lines begin with the time of day.
+///
+/// # Errors
+/// The file cannot be written.
+pub(crate) fn event_log(path: Option<&Path>, dated: bool) -> Result<Option<EventLog>, Failure> {
+    let log = path.map(|path| EventLog::new(path.to_owned(), control_text, dated)).transpose();
+    log.map_err(Failure::usage)
+}
+
+/// What the control knows of a message. A kind or validity that is wrong, which the check reports, is that of an error to be
+/// confirmed.
+fn message(it: &Message) -> MessageText {
+    MessageText {
+        kind: MessageKind::of(&it.kind).unwrap_or(MessageKind::Err),
+        persistent: it.persistent.unwrap_or(false),
+        text: control_bytes(it.text.text.trim()),
+    }
 }
 
 /// Name and file of a table.
@@ -62,7 +86,13 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
             Contents::Table(it) => {
                 rows.entry(it.id.text.clone()).or_insert((it, path));
             }
-            Contents::Messages(_) | Contents::Keyboard(_) => {}
+            Contents::Messages(own) => {
+                let numbered = own.iter().filter_map(|it| Some((u32::try_from(it.number).ok()?, it)));
+                for (number, it) in numbered {
+                    data.messages.entry(number).or_insert_with(|| message(it));
+                }
+            }
+            Contents::Keyboard(_) => {}
         }
     }
     data.constants = numbered(&constants);

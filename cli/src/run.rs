@@ -50,6 +50,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     )
     .map_err(Failure::usage)?;
     simulation.set_data(data);
+    let mut log = crate::control_data::event_log(arguments.log.as_deref(), false)?;
+    let mut logged = 0;
 
     let mut events = Vec::new();
     simulation.start(true);
@@ -63,12 +65,19 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
             let due = CYCLE.saturating_mul(u32::try_from(done).unwrap_or(u32::MAX));
             std::thread::sleep(due.saturating_sub(start.elapsed()));
         }
-        if simulation.cycle(&mut events) == TickOutcome::Stopped || !simulation.runtime().state().is_cycling()
-        {
+        let outcome = simulation.cycle(&mut events);
+        if let Some(log) = &mut log {
+            log.write(&simulation, &events[logged..]).map_err(Failure::usage)?;
+            logged = events.len();
+        }
+        if outcome == TickOutcome::Stopped || !simulation.runtime().state().is_cycling() {
             break;
         }
         done += 1;
         keep.follow(simulation.control()).map_err(Failure::usage)?;
+    }
+    if let Some(log) = &mut log {
+        log.write(&simulation, events.get(logged..).unwrap_or_default()).map_err(Failure::usage)?;
     }
     simulation.power_off();
     keep.follow(simulation.control()).map_err(Failure::usage)?;

@@ -5,7 +5,11 @@ mod coverage;
 mod discover;
 mod execute;
 mod fields;
+#[cfg(any(test, feature = "fuzzing"))]
+mod fixture;
 mod history;
+#[cfg(any(test, feature = "fuzzing"))]
+pub mod hostile;
 mod junit;
 mod machines;
 mod messages;

@@ -6,10 +6,11 @@ use technol_image::Program;
 use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
 use technol_image::system::m_group;
 use technol_machine::{
-    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, SimulatedControl,
+    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown,
+    SimulatedControl,
 };
 use technol_runtime::{
-    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome,
+    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
 };
 
 use crate::part_program;
@@ -19,6 +20,8 @@ const LOOK_AHEAD: usize = 8;
 /// The highest M function and the highest group.
 const LAST_M: u8 = 99;
 const LAST_GROUP: u8 = 14;
+/// Cycles that MODULE_DONE may take when the power is switched off.
+const LAST_CYCLES: u32 = 250;
 
 /// Why there is no simulation.
 #[derive(Debug, thiserror::Error)]
@@ -71,10 +74,12 @@ impl Simulation {
         // Nor another group than those.
         let _ = runtime.set_m_groups(&control.m_groups);
         runtime.set_conditional_stop(control.conditional_stop);
+        let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
+        around.prepare(&runtime.program().services);
         Ok(Simulation {
             runtime,
             plant,
-            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
+            control: around,
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -116,10 +121,12 @@ impl Simulation {
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
         let Simulation { runtime, plant, control, inputs, moved, starting, waiting, annulled } = self;
-        // Only equality matters, and both halves are mixed already.
-        let rest = format!("{control:?} {inputs:?} {moved:?} {starting} {waiting:?} {annulled:?}");
+        let rest = format!("{moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        rest.bytes().map(u64::from).fold(mix(runtime.state_hash(), plant.state_hash()), mix)
+        // Only equality matters, and the three parts are mixed already.
+        let parts = [plant.state_hash(), control.state_hash()].into_iter();
+        let bytes = inputs.iter().chain(rest.as_bytes()).copied().map(u64::from);
+        parts.chain(bytes).fold(runtime.state_hash(), mix)
     }
 
     /// Replaces what the control has on its disk; PLC_MEM_BACKUP is loaded from there at once.
@@ -149,6 +156,23 @@ impl Simulation {
     /// A regular end: what is kept while the power is off is saved.
     pub fn power_off(&mut self) {
         self.control.save_backup(self.runtime.memory());
+    }
+
+    /// The power is switched off in good order: MODULE_DONE, waiting at most five seconds of PLC time for its end, then what is
+    /// kept is saved. A program that the debugger holds goes on to there without break-points.
+    pub fn shut_down(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.runtime.set_breakpoints(&[]);
+        self.runtime.command(Command::StopPlc { power_off: true });
+        for _ in 0..LAST_CYCLES {
+            if !self.runtime.state().is_cycling() {
+                break;
+            }
+            if self.runtime.stopped().is_some() {
+                self.runtime.resume(Resume::Continue);
+            }
+            self.cycle(events);
+        }
+        self.power_off();
     }
 
     /// Input ports as the PLC will see them.
@@ -193,7 +217,17 @@ impl Simulation {
             self.power_off();
         }
         self.follow_blocks(&events[first..], waiting);
+        self.show(&events[first..]);
         outcome
+    }
+
+    /// Messages reach the operator.
+    fn show(&mut self, events: &[RuntimeEvent]) {
+        for event in events {
+            if let RuntimeEvent::Message { cycle, number, sub_id, set, parameters, .. } = *event {
+                self.control.report(Shown { number, sub_id, parameters, cycle }, set);
+            }
+        }
     }
 
     /// Milliseconds up to the end of the 20 ms cycle in progress, or until the program is held or no longer

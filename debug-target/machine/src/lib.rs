@@ -36,8 +36,8 @@ pub use compile::ConfigError;
 pub use config::MachineConfig;
 pub use control::{
     CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, Column, ControlData, Conversion, EcatSlave, EcatState,
-    ElementError, ElementValue, EtherCat, Licences, SERIAL_QUEUE, SerialPort, Shared, SimulatedControl,
-    Table, Value, ValueKind,
+    ElementError, ElementValue, EtherCat, Licences, MessageBoard, MessageKind, MessageText, SERIAL_QUEUE,
+    SerialPort, Shared, Shown, SimulatedControl, Table, Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};

@@ -22,6 +22,8 @@ const CYCLES: u32 = 400;
 /// Times each form is timed; the least counts, since others share the machine.
 const ROUNDS: usize = 12;
 const OPERATIONS: usize = 10_000;
+/// Lines that an editor shows.
+const WINDOW: u32 = 40;
 
 /// Nanoseconds of a cycle, and a number for what is in memory then.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +57,13 @@ fn loaded(ops: &[mixture::Item], armed: bool) -> Bench {
     bench
 }
 
+/// The program with a trace of the lines that begin there.
+fn traced(ops: &[mixture::Item], lines: std::ops::Range<u32>) -> Bench {
+    let mut bench = loaded(ops, false);
+    assert!(bench.plc.set_trace(&[lines]) > 0);
+    bench
+}
+
 fn time(bench: &mut Bench, seed: &mut u64) -> Timing {
     let mut spent = f64::MAX;
     // In parts, so that one interruption does not spoil all.
@@ -78,34 +87,41 @@ fn compare(name: &str, mixture: Mixture) {
     let operations = items.len();
     let mut plain = loaded(&items, false);
     let mut armed = loaded(&items, true);
+    let mut window = traced(&items, 5_000..5_000 + WINDOW);
+    let mut whole = traced(&items, 0..u32::MAX);
     // Inputs of a cycle cost something too; an empty program says how much.
     let mut empty = loaded(&[], false);
     let c = CProgram::compile(name, &items);
-    let (mut seeds, mut times) = ([1, 1, 1], [const { Vec::new() }; 4]);
+    let (mut seeds, mut times) = ([1; 5], [const { Vec::new() }; 6]);
     for _ in 0..ROUNDS {
         let of_plain = time(&mut plain, &mut seeds[0]);
         times[0].push(of_plain.ns);
-        let of_armed = time(&mut armed, &mut seeds[1]);
-        times[1].push(of_armed.ns);
-        times[2].push(time(&mut empty, &mut seeds[2]).ns);
-        assert_eq!(of_plain.memory, of_armed.memory);
+        for (n, bench) in [(1, &mut armed), (2, &mut window), (3, &mut whole)] {
+            let timing = time(bench, &mut seeds[n]);
+            times[n].push(timing.ns);
+            assert_eq!(of_plain.memory, timing.memory);
+        }
+        times[4].push(time(&mut empty, &mut seeds[4]).ns);
     }
     if let Some(c) = &c {
         let of_c = c.run(CYCLES * ROUNDS as u32);
-        times[3].push(of_c.ns);
+        times[5].push(of_c.ns);
         assert_eq!(plain.plc.memory().len(), END as usize);
         let of_plc = hash(&plain.plc.memory()[GLOBAL as usize..END as usize]);
         assert_eq!(of_plc, of_c.memory, "{name}: the C program computes something else");
         // Once more each, so that a busy moment does not decide.
-        times[3].push(c.run(CYCLES * ROUNDS as u32).ns);
+        times[5].push(c.run(CYCLES * ROUNDS as u32).ns);
         times[0].push(time(&mut plain, &mut seeds[0]).ns);
-        times[3].push(c.run(CYCLES * ROUNDS as u32).ns);
+        times[5].push(c.run(CYCLES * ROUNDS as u32).ns);
     }
-    let [plain, armed, empty, in_c] = times.map(|times| least(times.into_iter()));
+    let [plain, armed, window, whole, empty, in_c] = times.map(|times| least(times.into_iter()));
     let per = |ns: f64| (ns - empty) / operations as f64;
     println!("{name}: {operations} operations in a cycle");
     println!("  runtime               {:8.1} µs   {:6.3} ns per operation", plain / 1e3, per(plain));
     println!("  break-point not hit   {:8.1} µs   {:+6.2} %", armed / 1e3, (armed / plain - 1.0) * 100.0);
+    let slower = |ns: f64| (ns - empty) / (plain - empty);
+    println!("  trace of {WINDOW} lines     {:8.1} µs   {:6.2} times", window / 1e3, slower(window));
+    println!("  trace of all lines    {:8.1} µs   {:6.2} times", whole / 1e3, slower(whole));
     println!("  of it inputs, outputs {:8.1} µs", empty / 1e3);
     if c.is_some() {
         let c_per = in_c / operations as f64;

@@ -101,6 +101,15 @@ impl Code {
         }
     }
 
+    /// The entries as they would be without break-points.
+    pub(crate) fn without_break_points(&self) -> Vec<Fast> {
+        let mut fast = self.fast.clone();
+        for (pc, original) in self.patches.iter().rev() {
+            fast[*pc as usize] = *original;
+        }
+        fast
+    }
+
     /// Stretches that would run across `pc` end there.
     fn shorten_before(&mut self, pc: usize) {
         for head in (pc.saturating_sub(fused::MAX_LEN)..pc).rev() {

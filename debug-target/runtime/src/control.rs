@@ -3,8 +3,6 @@
 //! The runtime computes; everything else a program can ask for (mapped inputs, tables, buses, axes …) it asks of a
 //! [`Control`]. The simulated one is in `technol-machine`.
 
-use alloc::vec::Vec;
-
 use technol_image::op::{Addr, Place, Width};
 use technol_image::service::{Arg, Service};
 
@@ -423,14 +421,32 @@ impl Call<'_> {
     /// Writes a text and its end mark into the buffer at operand `n`; what does not fit is cut.
     ///
     /// # Errors
-    /// BX leads outside memory.
+    /// BX leads outside memory; then nothing is written.
     pub fn store_text(&mut self, n: usize, text: &[u8]) -> Result<(), FaultKind> {
         let Some((addr, len)) = self.area(n)? else { return Ok(()) };
-        let room = (len as usize).saturating_sub(1).min(text.len());
-        let mut bytes: Vec<u8> = text[..room].to_vec();
-        bytes.push(0);
-        bytes.truncate(len as usize);
-        self.write(addr, &bytes)
+        let Some(room) = len.checked_sub(1) else { return Ok(()) };
+        let text = &text[..text.len().min(room as usize)];
+        self.bytes(addr, text.len() as u32 + 1)?;
+        self.write(addr, text)?;
+        self.write(addr + text.len() as Addr, &[0])
+    }
+
+    /// Copies the first `len` bytes of operand `from`, a text, memory or the bytes of a literal, to an address, also where the two
+    /// overlap. Of an operand that is shorter so many as it has.
+    ///
+    /// # Errors
+    /// They do not all lie in memory; then nothing is written.
+    pub fn copy(&mut self, addr: Addr, from: usize, len: usize) -> Result<(), FaultKind> {
+        let args = self.args;
+        if let Some(Arg::Text(bytes)) = args.get(from) {
+            return self.write(addr, &bytes[..bytes.len().min(len)]);
+        }
+        let Some((source, room)) = self.area(from)? else { return Ok(()) };
+        let len = len.min(room as usize);
+        self.bytes(source, len as u32)?;
+        self.bytes(addr, len as u32)?;
+        self.memory.copy(source as usize, addr as usize, len);
+        Ok(())
     }
 
     /// RLO.

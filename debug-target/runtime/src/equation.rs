@@ -11,7 +11,13 @@ use technol_image::op::{BitRef, Cond, Logic, Op};
 use crate::memory::Window;
 
 /// Bits that a table is indexed by.
-const INPUTS: usize = 6;
+pub(crate) const INPUTS: usize = 6;
+/// In each byte all bits but the highest.
+const LOW: u64 = u64::from_le_bytes([0x7F; 8]);
+/// In each byte the highest bit.
+const HIGH: u64 = !LOW;
+/// Puts bit 8n + 7 at bit 56 + n.
+const BESIDE: u64 = 0x0002_0408_1020_4081;
 /// Brackets within a table.
 pub(crate) const MAX_NESTING: u8 = 2;
 
@@ -22,21 +28,28 @@ pub(crate) struct Table {
     results: [u64; 2],
     /// Bytes of the inputs.
     places: [u16; INPUTS],
-    /// Rotation of each byte that puts input n at bit n.
-    rotations: [u8; INPUTS],
+    /// In byte n the bit of input n.
+    mask: u64,
     /// Where RLO goes then.
     pub(crate) write: BitWrite,
 }
 
 impl Table {
-    /// RLO, which it also writes.
+    /// The bits of its inputs, the first one lowest.
     #[inline]
-    pub(crate) fn evaluate(&self, memory: &mut Window, rlo: bool) -> bool {
-        let mut index = 0;
-        for (n, (place, rotation)) in self.places.iter().zip(&self.rotations).enumerate() {
-            index |= memory[usize::from(*place)].rotate_left(u32::from(*rotation)) & 1 << n;
-        }
-        let rlo = self.results[usize::from(rlo)] >> (index & 63) & 1 != 0;
+    pub(crate) fn gather(&self, memory: &Window) -> u8 {
+        let byte = |n: usize| u64::from(memory[usize::from(self.places[n])]) << (8 * n);
+        let bytes = byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5);
+        // The highest bit of each byte that is not 0: nothing is carried into the next one.
+        let set = (bytes & self.mask) + LOW & HIGH;
+        // All of them side by side at the top, since no two products meet.
+        (set.wrapping_mul(BESIDE) >> 56) as u8
+    }
+
+    /// RLO for these bits, which it also writes.
+    #[inline]
+    pub(crate) fn evaluate(&self, memory: &mut Window, bits: u8, rlo: bool) -> bool {
+        let rlo = self.results[usize::from(rlo)] >> (bits & 63) & 1 != 0;
         self.write.execute(memory, rlo);
         rlo
     }
@@ -82,15 +95,15 @@ impl Table {
     fn new(inputs: &[BitRef], steps: &[Step]) -> Table {
         // What is not used looks at a byte that is looked at anyway; another one would make it wait for that.
         let spare = inputs.first().map_or(0, |bit| bit.addr as u16);
-        let (mut places, mut rotations) = ([spare; INPUTS], [0; INPUTS]);
+        let (mut places, mut mask) = ([spare; INPUTS], 0);
         for (n, bit) in inputs.iter().enumerate().take(INPUTS) {
             places[n] = bit.addr as u16;
-            rotations[n] = (n as u8).wrapping_sub(bit.bit) & 7;
+            mask |= 1 << (8 * n + usize::from(bit.bit));
         }
         let results = [false, true].map(|rlo| {
             (0..64_u32).fold(0, |results, index| results | u64::from(result(steps, rlo, index)) << index)
         });
-        Table { results, places, rotations, write: BitWrite::none(spare) }
+        Table { results, places, mask, write: BitWrite::none(spare) }
     }
 }
 

@@ -25,6 +25,7 @@ use crate::registers::{Registers, sign_extend};
 use crate::sequence;
 use crate::texts;
 use crate::timing;
+use crate::trace::Recorder;
 
 /// What programs read and write besides registers.
 #[derive(Clone, Debug)]
@@ -81,6 +82,7 @@ pub(crate) fn run(
     ctx: &mut Context,
     world: &mut World<'_>,
     stoppable: bool,
+    recorder: &mut impl Recorder,
 ) -> Exit {
     let ops = program.code.as_slice();
     let mut pc = ctx.pc;
@@ -99,7 +101,7 @@ pub(crate) fn run(
                     budget -= len;
                     let first = first as usize;
                     let terms = &code.terms[first..first + usize::from(terms)];
-                    fused::execute(terms, code, window, &mut regs);
+                    budget += recorder.stretch(first, terms, code, window, &mut regs);
                     pc += len;
                     skip = false;
                     continue;
@@ -107,6 +109,7 @@ pub(crate) fn run(
             }
             Fast::Jump { target, cond } if budget > 0 => {
                 budget -= 1;
+                recorder.operation(pc, &regs);
                 pc = if holds(cond, regs.rlo) { target } else { pc + 1 };
                 skip = false;
                 continue;
@@ -120,22 +123,23 @@ pub(crate) fn run(
             break Exit::Fault(FaultKind::EndlessLoop);
         }
         budget -= cost;
-        match hot(&ops[pc as usize], &mut regs, &mut machine.memory) {
-            Ok(Step::Next) => pc += 1,
-            Ok(Step::Goto(target)) => pc = target,
-            Ok(Step::End) => break Exit::End,
+        let step = match hot(&ops[pc as usize], &mut regs, &mut machine.memory) {
             Ok(Step::Cold) => {
                 ctx.pc = pc;
                 ctx.regs = regs;
                 let step = cold(program, code, machine, ctx, world);
                 regs = ctx.regs;
-                match step {
-                    Ok(Step::Goto(target)) => pc = target,
-                    Ok(Step::Next | Step::Cold) => pc += 1,
-                    Ok(Step::End) => break Exit::End,
-                    Err(fault) => break Exit::Fault(fault),
-                }
+                step
             }
+            other => other,
+        };
+        if step.is_ok() {
+            recorder.operation(pc, &regs);
+        }
+        match step {
+            Ok(Step::Next | Step::Cold) => pc += 1,
+            Ok(Step::Goto(target)) => pc = target,
+            Ok(Step::End) => break Exit::End,
             Err(fault) => break Exit::Fault(fault),
         }
     };
@@ -153,6 +157,7 @@ pub(crate) fn run_watched(
     ctx: &mut Context,
     world: &mut World<'_>,
     watch: &dyn Fn(&Machine, &Context) -> Option<StopReason>,
+    recorder: &mut impl Recorder,
 ) -> Exit {
     loop {
         let pc = ctx.pc;
@@ -173,6 +178,9 @@ pub(crate) fn run_watched(
             Ok(Step::Cold) => cold(program, code, machine, ctx, world),
             other => other,
         };
+        if step.is_ok() {
+            recorder.operation(pc, &ctx.regs);
+        }
         match step {
             Ok(Step::Next | Step::Cold) => ctx.pc = pc + 1,
             Ok(Step::Goto(target)) => ctx.pc = target,

@@ -17,7 +17,7 @@ use crate::memory::Window;
 use crate::registers::Registers;
 
 /// Longest stretch in operations.
-pub(crate) const MAX_LEN: usize = 64;
+pub(crate) const MAX_LEN: usize = 240;
 /// Values that a stretch may push, not counting what a table pushes and pops.
 const MAX_PUSHES: u8 = 2;
 /// Values that may be on the equation stack when it begins.
@@ -43,6 +43,8 @@ enum Kind {
     Compare,
     /// MOVE, MOVE1: from the operand to `to`; bit RLO of `when` says whether.
     Move,
+    /// JUM, JL0, JL1 forward within the stretch, over terms that leave the equation stack alone.
+    Skip,
 }
 
 /// What [`Kind::Calculate`] takes together: DR + x, DR - x, …
@@ -102,9 +104,30 @@ impl Operand {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     kind: Kind,
-    operations: u8,
-    /// Index of the table, or of the data.
+    pub(crate) operations: u8,
+    /// Index of the table, or of the data; what is skipped, see [`Skip`].
     at: u32,
+}
+
+/// A jump within a stretch.
+#[derive(Clone, Copy, Debug)]
+struct Skip {
+    terms: u8,
+    operations: u8,
+    /// Bit RLO: it jumps.
+    when: u8,
+}
+
+impl Skip {
+    fn of(term: Term) -> Skip {
+        let [terms, operations, when, _] = term.at.to_le_bytes();
+        Skip { terms, operations, when }
+    }
+
+    fn term(self) -> Term {
+        let at = u32::from_le_bytes([self.terms, self.operations, self.when, 0]);
+        Term { kind: Kind::Skip, operations: 1, at }
+    }
 }
 
 /// Of a term that is no equation.
@@ -272,13 +295,16 @@ pub(crate) fn fuse(program: &Program) -> Fused {
         // A jump to its middle ends a term, so that it is fast from there on too.
         let most = code.len().min(pc + MAX_LEN / 2);
         let end = (pc + 1..most).find(|at| targets[*at]).unwrap_or(most);
-        let term = fused.equation(&code[pc..end], &mut begins, pc).or_else(|| fused.data(&code[pc..end]));
+        let ops = &code[pc..end];
+        let term = fused.equation(ops, &mut begins, pc).or_else(|| fused.data(ops)).or_else(|| skip(ops, pc));
         if let Some(term) = term {
             begins.push(pc);
             fused.terms.push(term);
         }
         pc += term.map_or(1, |term| usize::from(term.operations));
         if term.is_none() || pc == code.len() {
+            let behind = if term.is_none() { pc - 1 } else { pc };
+            fused.aim(code, &begins, behind);
             fused.close(&begins);
             begins.clear();
         }
@@ -319,20 +345,51 @@ impl Fused {
         Some(term)
     }
 
+    /// Skips among the last terms, which begin at these operations and end before `end`, learn how much they skip.
+    /// Those that cannot stay as they are: too long, so that no stretch holds them.
+    fn aim(&mut self, code: &[Op], begins: &[usize], end: usize) {
+        let first = self.terms.len() - begins.len();
+        for (n, pc) in begins.iter().enumerate() {
+            let Op::Jump { target, cond } = code[*pc] else { continue };
+            let target = target as usize;
+            let behind = begins.iter().position(|begin| *begin == target);
+            let behind = behind.or((target == end).then_some(begins.len()));
+            let skipped =
+                behind.filter(|behind| *behind > n).map(|behind| &self.terms[first + n + 1..first + behind]);
+            let balanced = |term: &Term| !matches!(term.kind, Kind::Push | Kind::Pop);
+            let fits = |terms: &&[Term]| terms.len() <= MAX_LEN && terms.iter().all(balanced);
+            if let Some(skipped) = skipped.filter(fits)
+                && let Ok(operations) = u8::try_from(target - pc - 1)
+            {
+                let skip = Skip { terms: skipped.len() as u8, operations, when: acts(cond) };
+                self.terms[first + n] = skip.term();
+            }
+        }
+    }
+
     /// The last terms, which begin at these operations, are a stretch.
     fn close(&mut self, begins: &[usize]) {
         let first = self.terms.len() - begins.len();
         // The last first, so that an operation for which there are two terms gets the entry with both.
         for (n, pc) in begins.iter().enumerate().rev() {
-            self.fast[*pc] = stretch(&self.terms[first + n..], first + n, MAX_LEN);
+            if let Some(entry) = stretch(&self.terms[first + n..], first + n, MAX_LEN) {
+                self.fast[*pc] = entry;
+            }
         }
     }
 }
 
+/// A jump whose target is not known yet.
+fn skip(ops: &[Op], pc: usize) -> Option<Term> {
+    let forward = matches!(ops[0], Op::Jump { target, .. } if target as usize > pc);
+    forward.then(|| Skip { terms: u8::MAX, operations: u8::MAX, when: 0 }.term())
+}
+
 /// The longest entry for these terms that covers at most `most` operations.
-fn stretch(terms: &[Term], first: usize, most: usize) -> Fast {
-    let (mut seen, mut taken, mut ops, mut pops, mut depth) = (0, 0, 0, 0_u8, 0_i8);
-    for term in terms {
+fn stretch(terms: &[Term], first: usize, most: usize) -> Option<Fast> {
+    let mut taken = None;
+    let (mut ops, mut pops, mut depth, mut target) = (0, 0_u8, 0_i8, 0);
+    for (n, term) in terms.iter().enumerate().take(usize::from(u8::MAX)) {
         let pushes = term.kind == Kind::Push;
         let len = usize::from(term.operations);
         if ops + len > most || (pushes && depth == MAX_PUSHES as i8) || pops == MOST_PUSHED {
@@ -343,15 +400,20 @@ fn stretch(terms: &[Term], first: usize, most: usize) -> Fast {
             depth -= 1;
             pops = pops.max(depth.min(0).unsigned_abs());
         }
-        seen += 1;
         ops += len;
-        // A push alone would be done twice.
-        taken = if pushes { taken } else { seen };
+        if term.kind == Kind::Skip {
+            let skip = Skip::of(*term);
+            if ops + usize::from(skip.operations) > most {
+                break;
+            }
+            target = target.max(n + 1 + usize::from(skip.terms));
+        }
+        // A push alone would be done twice, and a skip has to arrive.
+        if !pushes && n + 1 >= target {
+            taken = Some(Fast::Stretch { first: first as u32, terms: n as u8 + 1, ops: ops as u8, pops });
+        }
     }
-    if taken == 0 {
-        return Fast::General;
-    }
-    Fast::Stretch { first: first as u32, terms: taken, ops: ops as u8, pops }
+    taken
 }
 
 /// The entry of an operation when a break-point lies `distance` operations behind it.
@@ -359,7 +421,7 @@ pub(crate) fn shortened(entry: Fast, distance: usize, terms: &[Term]) -> Fast {
     match entry {
         Fast::Stretch { first, terms: count, ops, .. } if usize::from(ops) > distance => {
             let first = first as usize;
-            stretch(&terms[first..first + usize::from(count)], first, distance)
+            stretch(&terms[first..first + usize::from(count)], first, distance).unwrap_or(Fast::General)
         }
         other => other,
     }
@@ -401,22 +463,68 @@ fn write(memory: &mut Window, at: u16, mask: u32, value: u32) {
     memory[at..at + READ].copy_from_slice(&new.to_le_bytes());
 }
 
-/// Executes a stretch of the terms of `code`.
+/// Who sees what terms work with.
+pub(crate) trait Witness {
+    /// A term is about to act. `bits`: those of its equation; `dr`: behind its LOD.
+    fn term(&mut self, rlo: bool, bits: u8, dr: i64, operand: i64, regs: &Registers);
+    /// So many terms are skipped.
+    fn skip(&mut self, terms: usize);
+}
+
+/// Nobody.
+pub(crate) struct Unseen;
+
+impl Witness for Unseen {
+    #[inline(always)]
+    fn term(&mut self, _: bool, _: u8, _: i64, _: i64, _: &Registers) {}
+
+    #[inline(always)]
+    fn skip(&mut self, _: usize) {}
+}
+
+/// Executes a stretch of the terms of `code`. Gives the number of operations that it skipped.
 #[inline(never)]
-pub(crate) fn execute(terms: &[Term], code: &Code, memory: &mut Window, regs: &mut Registers) {
-    let (mut rlo, mut dr) = (regs.rlo, regs.dr);
-    for term in terms {
+pub(crate) fn execute<W: Witness>(
+    terms: &[Term],
+    code: &Code,
+    memory: &mut Window,
+    regs: &mut Registers,
+    mut witness: W,
+) -> u32 {
+    let (mut rlo, mut dr, mut skipped) = (regs.rlo, regs.dr, 0);
+    let mut rest = terms.iter();
+    while let Some(term) = rest.next() {
         match term.kind {
-            Kind::Bits => rlo = code.tables[term.at as usize].evaluate(memory, rlo),
+            Kind::Bits => {
+                let table = &code.tables[term.at as usize];
+                let bits = table.gather(memory);
+                witness.term(rlo, bits, dr, 0, regs);
+                rlo = table.evaluate(memory, bits, rlo);
+            }
             Kind::Push => {
+                witness.term(rlo, 0, dr, 0, regs);
                 regs.stack = regs.stack << 1 | u8::from(rlo);
                 regs.depth += 1;
             }
-            kind => (rlo, dr) = code.data[term.at as usize].execute(kind, memory, regs, rlo, dr),
+            Kind::Skip => {
+                witness.term(rlo, 0, dr, 0, regs);
+                let skip = Skip::of(*term);
+                if skip.when >> u8::from(rlo) & 1 != 0 {
+                    let terms = usize::from(skip.terms);
+                    rest = rest.as_slice().get(terms..).unwrap_or_default().iter();
+                    witness.skip(terms);
+                    skipped += u32::from(skip.operations);
+                }
+            }
+            kind => {
+                let data = &code.data[term.at as usize];
+                (rlo, dr) = data.execute(kind, memory, regs, rlo, dr, &mut witness);
+            }
         }
     }
     regs.rlo = rlo;
     regs.dr = dr;
+    skipped
 }
 
 impl Data {
@@ -434,6 +542,7 @@ impl Data {
         regs: &mut Registers,
         mut rlo: bool,
         mut dr: i64,
+        witness: &mut impl Witness,
     ) -> (bool, i64) {
         let (select, operand, shift) = (self.select, &self.operand, self.operand.shift);
         let chosen =
@@ -444,6 +553,7 @@ impl Data {
             Kind::Calculate => {
                 dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let x = operand.get(memory);
+                witness.term(rlo, 0, dr, x, regs);
                 let negative = if_selected(select::NEGATIVE);
                 let sum = dr.wrapping_add((x ^ negative).wrapping_sub(negative)) & if_selected(select::SUM);
                 let bits = dr & x & if_selected(select::AND) ^ (dr ^ x) & if_selected(select::XOR);
@@ -456,24 +566,30 @@ impl Data {
             Kind::Compare => {
                 dr = dr & i64::from(self.keep) | self.load.get(memory);
                 let (a, b) = (signed(dr as u32, shift), operand.get(memory));
+                witness.term(rlo, 0, dr, b, regs);
                 let place = u8::from(a >= b) + u8::from(a > b);
                 // Without branches.
                 rlo = select >> place & (u8::from(rlo) | !select >> 7) & 1 != 0;
                 self.write.execute(memory, rlo);
             }
             Kind::Move => {
+                witness.term(rlo, 0, dr, 0, regs);
                 let value = read(memory, operand.at);
                 write(memory, self.to, chosen(rlo), value);
             }
-            Kind::Write => self.write.execute(memory, rlo),
+            Kind::Write => {
+                witness.term(rlo, 0, dr, 0, regs);
+                self.write.execute(memory, rlo);
+            }
             Kind::Pop => {
+                witness.term(rlo, 0, dr, 0, regs);
                 let value = regs.stack & 1;
                 regs.stack >>= 1;
                 regs.depth -= 1;
                 let logic = [Logic::And, Logic::Or, Logic::Xor][usize::from(select)];
                 rlo = combine(logic, rlo, value != 0);
             }
-            Kind::Bits | Kind::Push => {}
+            Kind::Bits | Kind::Push | Kind::Skip => {}
         }
         (rlo, dr)
     }

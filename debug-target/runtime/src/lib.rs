@@ -34,12 +34,14 @@ mod plan;
 mod ports;
 mod prepared;
 mod registers;
+mod replay;
 mod runtime;
 mod sequence;
 mod state_hash;
 mod supervisor;
 mod texts;
 mod timing;
+mod trace;
 mod validate;
 
 pub use block::{Block, BlockMode, Rejection};
@@ -59,3 +61,4 @@ pub use prepared::{BLOCK_AXES, BLOCK_PARAMETERS, BlockFlag, BlockFlags, BlockRea
 pub use registers::Registers;
 pub use runtime::{Limits, Runtime, TickOutcome};
 pub use sequence::SequenceState;
+pub use trace::{TraceEntry, TraceValues};

@@ -28,6 +28,7 @@ use crate::registers::Registers;
 use crate::sequence::{self, SequenceState};
 use crate::state_hash;
 use crate::supervisor::PlcEvent;
+use crate::trace::Trace;
 use crate::validate::validate;
 
 /// Commands that a host may give between two ticks without memory being asked for.
@@ -99,6 +100,8 @@ pub struct Runtime {
     pub(crate) debugger: Debugger,
     /// Somebody counts statements.
     pub(crate) coverage: Option<Coverage>,
+    /// Somebody looks at the registers.
+    pub(crate) trace: Option<Trace>,
 }
 
 impl Runtime {
@@ -134,6 +137,7 @@ impl Runtime {
             spent: 0,
             debugger: Debugger::new(),
             coverage: None,
+            trace: None,
             program,
         };
         runtime.initialise_memory();

@@ -16,6 +16,7 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
         fast_outputs: _,
         // Looking at a program does not change what it does.
         coverage: _,
+        trace: _,
         debugger: _,
         machine,
         main,
@@ -61,12 +62,16 @@ impl Fnv {
     }
 
     fn add(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.0 = (self.0 ^ u64::from_le_bytes(word)).wrapping_mul(0x0000_0100_0000_01B3);
-            self.0 ^= self.0 >> 32;
+        let (words, rest) = bytes.as_chunks();
+        words.iter().for_each(|word| self.add_word(u64::from_le_bytes(*word)));
+        if !rest.is_empty() {
+            self.add_word(rest.iter().fold(1, |word, byte| word << 8 | u64::from(*byte)));
         }
+    }
+
+    fn add_word(&mut self, word: u64) {
+        self.0 = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
+        self.0 ^= self.0 >> 32;
     }
 
     /// Adds how a value shows itself, in which every field of it takes part.

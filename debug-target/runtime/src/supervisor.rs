@@ -19,6 +19,7 @@ use crate::plan::{Job, PlanKind};
 use crate::ports::{self, InputImage};
 use crate::runtime::{Position, Runtime, TickOutcome};
 use crate::sequence;
+use crate::trace::{Recorder, Untraced};
 
 /// Messages the control may report by itself in a cycle; the others wait for the next.
 const MESSAGES_PER_CYCLE: usize = 16;
@@ -226,6 +227,9 @@ impl Runtime {
         self.machine.init_seen = 0;
         self.machine.done_seen = 0;
         self.machine.state_since.fill(0);
+        if let Some(trace) = &mut self.trace {
+            trace.forget();
+        }
         self.plc_events.clear();
         [&mut self.main, &mut self.fast, &mut self.cont].into_iter().for_each(Context::reset);
         self.outputs.fill(0);
@@ -343,33 +347,18 @@ impl Runtime {
 
     /// Executes until the pass is over or held.
     fn execute(&mut self, line: Line, stoppable: bool, world: &mut World<'_>) -> Progress {
-        let Runtime { program, code, machine, debugger, main, fast, cont, coverage, .. } = self;
-        let ctx = match line {
-            Line::Main => main,
-            Line::Fast => fast,
-            Line::Cont => cont,
-        };
-        let exit = if let Some(coverage) = coverage {
-            let counted = RefCell::new(coverage);
-            let watch = |machine: &_, ctx: &Context| {
-                let stop = || debugger.reason_to_stop(program, code, machine, ctx);
-                let reason = if stoppable { stop() } else { None };
-                // Nobody asks again when a statement that is held before is resumed: it counts once.
-                counted.borrow_mut().hit(ctx.pc);
-                reason
-            };
-            run_watched(program, code, machine, ctx, world, &watch)
-        } else if debugger.is_watching(stoppable) {
-            let watch = |machine: &_, ctx: &_| {
-                if stoppable { debugger.reason_to_stop(program, code, machine, ctx) } else { None }
-            };
-            run_watched(program, code, machine, ctx, world, &watch)
-        } else {
-            run(program, code, machine, ctx, world, stoppable)
+        let exit = match self.trace.take() {
+            Some(mut trace) => {
+                trace.enter(self.machine.cycle(), self.line(line).regs.dr_real);
+                let exit = self.execute_recorded(line, stoppable, world, &mut trace);
+                self.trace = Some(trace);
+                exit
+            }
+            None => self.execute_recorded(line, stoppable, world, &mut Untraced),
         };
         match exit {
             Exit::End => {
-                self.spent += ctx.spent();
+                self.spent += self.line(line).spent();
                 if let Some(position) = &mut self.position {
                     position.entered = false;
                 }
@@ -383,6 +372,39 @@ impl Runtime {
                 self.enter_faulted(kind, line, world.events);
                 Progress::Stopped
             }
+        }
+    }
+
+    fn execute_recorded(
+        &mut self,
+        line: Line,
+        stoppable: bool,
+        world: &mut World<'_>,
+        recorder: &mut impl Recorder,
+    ) -> Exit {
+        let Runtime { program, code, machine, debugger, main, fast, cont, coverage, .. } = self;
+        let ctx = match line {
+            Line::Main => main,
+            Line::Fast => fast,
+            Line::Cont => cont,
+        };
+        if let Some(coverage) = coverage {
+            let counted = RefCell::new(coverage);
+            let watch = |machine: &_, ctx: &Context| {
+                let stop = || debugger.reason_to_stop(program, code, machine, ctx);
+                let reason = if stoppable { stop() } else { None };
+                // Nobody asks again when a statement that is held before is resumed: it counts once.
+                counted.borrow_mut().hit(ctx.pc);
+                reason
+            };
+            run_watched(program, code, machine, ctx, world, &watch, recorder)
+        } else if debugger.is_watching(stoppable) {
+            let watch = |machine: &_, ctx: &_| {
+                if stoppable { debugger.reason_to_stop(program, code, machine, ctx) } else { None }
+            };
+            run_watched(program, code, machine, ctx, world, &watch, recorder)
+        } else {
+            run(program, code, machine, ctx, world, stoppable, recorder)
         }
     }
 

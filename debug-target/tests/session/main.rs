@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used)] // tests
 
 mod host;
+#[cfg(unix)]
+mod lines;
 mod places;
 mod program;
 

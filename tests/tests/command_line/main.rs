@@ -14,6 +14,7 @@ mod explain;
 mod explain_machine;
 mod fmt;
 mod kept;
+mod messages;
 mod ran;
 mod run;
 mod target;

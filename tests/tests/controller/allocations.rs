@@ -186,3 +186,35 @@ fn memory_of_the_target_for_the_lathe_is_far_below_four_mebibytes() {
     println!("lathe: image {image} bytes, most memory in use {} bytes", info.bytes_max);
     assert!(info.bytes_max + (image as u64) < 1 << 20, "{info:?}");
 }
+
+/// The program of all families, with something at the other end of each.
+fn families() -> technol_target::Simulation {
+    let mut simulation =
+        technol_target::Simulation::new(crate::families::program(), None).expect("it can be loaded");
+    crate::families::furnish(&mut simulation);
+    simulation.start(true);
+    simulation
+}
+
+#[test]
+fn a_cycle_with_instructions_of_every_family_asks_for_no_memory() {
+    let mut simulation = families();
+    let mut events = Vec::with_capacity(EVENTS);
+    // MODULE_INIT declares: what it says is kept.
+    simulation.cycle(&mut events);
+    let mut messages = 0;
+    for cycle in 1..400_u32 {
+        // The other side of the buses is the host's.
+        crate::families::feed(&mut simulation, cycle);
+        events.clear();
+        let info = measure(|| {
+            simulation.cycle(&mut events);
+        });
+        messages += events.len();
+        assert_eq!(info.count_total, 0, "allocations in cycle {cycle}");
+    }
+    assert_eq!(simulation.runtime().fault(), None);
+    assert_eq!(simulation.runtime().state(), PlcState::Running);
+    assert!(messages > 1_000, "{messages} messages");
+    crate::families::happened(&mut simulation);
+}

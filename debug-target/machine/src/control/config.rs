@@ -1,6 +1,7 @@
 //! What is connected to the buses, as `machine.toml` says it.
 
 use alloc::format;
+use alloc::string::String;
 use alloc::vec::Vec;
 
 use serde::Deserialize;
@@ -27,6 +28,8 @@ pub struct Serial {
     pub channel: u8,
     /// Bits a second; 9600 unless given.
     pub baud: Option<u32>,
+    /// A real serial device at the other end, for a target that runs in real time; without it the line leads nowhere.
+    pub port: Option<String>,
 }
 
 /// A unit of the control on the CAN bus.

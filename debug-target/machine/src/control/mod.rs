@@ -1,7 +1,7 @@
 //! The simulated control around a program: it carries out what the runtime leaves to a
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
-use technol_image::service::Service;
+use technol_image::service::{Arg, Service, ServiceCall};
 use technol_runtime::{
     AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, FaultKind,
     Hold, Rate,
@@ -13,6 +13,7 @@ use crate::signal::Signal;
 
 mod axes;
 mod backup;
+mod board;
 mod can;
 pub(crate) mod config;
 mod configuration;
@@ -34,6 +35,7 @@ use messages::Messages;
 use shared::SharedMemory;
 use tables::Tables;
 
+pub use board::{MessageBoard, MessageKind, MessageText, Shown};
 pub use data::{Column, ControlData, Table, Value, ValueKind};
 pub use shared::Shared;
 
@@ -45,12 +47,16 @@ pub use ethercat::{EcatSlave, EcatState, EtherCat};
 pub use licence::Licences;
 pub use serial::{SERIAL_QUEUE, SerialPort};
 
+/// Bytes of a text in a table, or of a block on a bus, for which room is made before the program runs; a longer one takes its memory when it comes.
+const MAX_TEXT: usize = 1024;
+
 /// The control. Deterministic; a clone is a snapshot.
 #[derive(Clone, Debug, Default)]
 pub struct SimulatedControl {
     data: ControlData,
     elements: Elements,
     messages: Messages,
+    board: MessageBoard,
     motion: Motion,
     shared: SharedMemory,
     tables: Tables,
@@ -81,6 +87,12 @@ impl SimulatedControl {
         };
         control.connect_buses(machine);
         control
+    }
+
+    /// A number that two controls share when they go on the same way from here.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        crate::state_hash::of(self)
     }
 
     /// Axes and spindles.
@@ -142,6 +154,31 @@ impl SimulatedControl {
     /// Replaces what it has on its disk.
     pub fn set_data(&mut self, data: ControlData) {
         self.data = data;
+        backup::make_room(&mut self.data.backup);
+    }
+
+    /// Makes room for all that a program may have under way at once, so that its cycles need no memory. Without it the first
+    /// execution of a line does.
+    pub fn prepare(&mut self, services: &[ServiceCall]) {
+        backup::make_room(&mut self.data.backup);
+        for (call, it) in (0..).zip(services) {
+            let bytes = it.args.iter().map(|arg| match arg {
+                Arg::Text(bytes) => bytes.len(),
+                Arg::Area { len, .. } => *len as usize,
+                _ => 8,
+            });
+            let longest = bytes.max().unwrap_or(0).min(MAX_TEXT);
+            match it.service {
+                Service::SaRead | Service::SaWrite => self.shared.prepare(call),
+                Service::EcatCommand
+                | Service::EcatCoeRead
+                | Service::EcatCoeWrite
+                | Service::EcatSoeRead
+                | Service::EcatSoeWrite => self.ethercat.prepare(call, longest),
+                other if other.name().starts_with("PLCT_") => self.tables.prepare(call, other, longest),
+                _ => {}
+            }
+        }
     }
 
     /// What the program published by SHARE_VAR and SHARE_BIT.
@@ -177,9 +214,31 @@ impl SimulatedControl {
         self.saved
     }
 
+    /// The messages that the operator sees.
+    #[must_use]
+    pub fn board(&self) -> &MessageBoard {
+        &self.board
+    }
+
+    /// A message of the program, of ESET or EDEF, reaches the operator: shown (`set`) or removed.
+    pub fn report(&mut self, message: Shown, set: bool) {
+        self.board.report(self.data.message(message.number), message, set);
+    }
+
+    /// The operator confirms the transient message on the screen.
+    pub fn acknowledge(&mut self) -> Option<Shown> {
+        self.board.acknowledge()
+    }
+
     /// A logical channel of serial ports; it is configured from the first time on.
     pub fn serial_mut(&mut self, channel: u8) -> &mut SerialPort {
         self.serial.port(channel)
+    }
+
+    /// A logical channel of serial ports, if it is configured.
+    #[must_use]
+    pub fn serial(&self, channel: u8) -> Option<&SerialPort> {
+        self.serial.configured(channel)
     }
 
     /// The hardware key and its licences.
@@ -335,9 +394,10 @@ impl Control for SimulatedControl {
     fn start(&mut self, cold: bool) {
         self.motion.start(cold);
         self.elements.start();
-        self.messages = Messages::default();
+        self.messages.start();
+        self.board.start(cold);
         self.shared.start(cold);
-        self.tables.start();
+        self.tables.start(&mut self.data.tables);
         self.serial.start();
         self.can.start();
         self.drives.start(cold);

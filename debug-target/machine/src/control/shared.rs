@@ -3,6 +3,7 @@
 use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
+use core::fmt;
 
 use technol_image::op::Addr;
 use technol_image::service::{Arg, Service};
@@ -10,6 +11,7 @@ use technol_runtime::{Call, FaultKind};
 
 use super::data::Value;
 use super::transfer::Transfers;
+use crate::state_hash;
 
 /// Length of a shared area in bytes.
 pub(super) const AREA_LEN: usize = 32_000;
@@ -84,13 +86,24 @@ fn number(bytes: &[u8], signed: bool) -> i64 {
 #[derive(Clone, Debug)]
 pub(super) struct SharedMemory {
     names: Vec<Shared>,
-    areas: [Box<[u8]>; 2],
+    areas: [Area; 2],
     transfers: Transfers<()>,
+}
+
+/// Its bytes.
+#[derive(Clone)]
+struct Area(Box<[u8]>);
+
+impl fmt::Debug for Area {
+    /// As a number: nobody reads 32,000 bytes, and the state of the control is told by what this shows.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:#x}", state_hash::of_bytes(&self.0))
+    }
 }
 
 impl Default for SharedMemory {
     fn default() -> SharedMemory {
-        let area = || alloc::vec![0; AREA_LEN].into_boxed_slice();
+        let area = || Area(alloc::vec![0; AREA_LEN].into_boxed_slice());
         SharedMemory { names: Vec::new(), areas: [area(), area()], transfers: Transfers::default() }
     }
 }
@@ -99,10 +112,15 @@ impl SharedMemory {
     /// What the program published before is forgotten; the areas stay unless everything is as at power-on.
     pub(super) fn start(&mut self, cold: bool) {
         self.names.clear();
-        self.transfers = Transfers::default();
+        self.transfers.forget();
         if cold {
-            self.areas.iter_mut().for_each(|area| area.fill(0));
+            self.areas.iter_mut().for_each(|area| area.0.fill(0));
         }
+    }
+
+    /// Makes room for a SA_READ or SA_WRITE of the program.
+    pub(super) fn prepare(&mut self, call: u16) {
+        self.transfers.prepare(call, ());
     }
 
     /// What is published.
@@ -112,7 +130,7 @@ impl SharedMemory {
 
     /// An area, for screens.
     pub(super) fn area_mut(&mut self, area: usize) -> Option<&mut [u8]> {
-        self.areas.get_mut(area).map(|area| &mut **area)
+        self.areas.get_mut(area).map(|area| &mut *area.0)
     }
 
     /// SHARE_VAR and SHARE_BIT: RLO tells whether the name was accepted.
@@ -142,14 +160,14 @@ impl SharedMemory {
         let number = |n: usize| Ok(usize::try_from(call.integer(n)?.unwrap_or(-1)).unwrap_or(usize::MAX));
         let (area, offset, size) = (number(0)?, number(1)?, number(2)?);
         let end = offset.checked_add(size).filter(|end| *end <= AREA_LEN);
-        let place = self.areas.get_mut(area).zip(end).and_then(|(area, end)| area.get_mut(offset..end));
+        let place = self.areas.get_mut(area).zip(end).and_then(|(area, end)| area.0.get_mut(offset..end));
         let (Some(place), Some((addr, _))) = (place, call.area(3)?) else {
             call.set_rlo(false);
             call.set_dr(OUTSIDE);
             return Ok(());
         };
         if !self.transfers.is_under_way(call) {
-            self.transfers.begin(call, ());
+            self.transfers.begin(call, |()| Ok(()))?;
         }
         let granted = self.transfers.end(call).is_some();
         if granted && call.service() == Service::SaRead {

@@ -70,12 +70,12 @@ fn data_op() -> impl Strategy<Value = Op> {
 
 /// An operation, or a jump over the next few.
 #[derive(Clone, Debug)]
-enum Item {
+pub(crate) enum Item {
     Op(Op),
     Over(usize, Cond),
 }
 
-fn an_item() -> impl Strategy<Value = Item> {
+pub(crate) fn an_item() -> impl Strategy<Value = Item> {
     prop_oneof![
         12 => bit_op().prop_map(Item::Op),
         8 => data_op().prop_map(Item::Op),
@@ -84,7 +84,7 @@ fn an_item() -> impl Strategy<Value = Item> {
 }
 
 /// The module, and what is in memory at its beginning and its end.
-fn started(items: &[Item], memory: &[u8]) -> Bench {
+pub(crate) fn started(items: &[Item], memory: &[u8]) -> Bench {
     let builder = Builder::new().main(|b| {
         let mut open = Vec::new();
         for (at, item) in items.iter().enumerate() {

@@ -18,4 +18,5 @@ mod procedures;
 mod properties;
 mod support;
 mod timing;
+mod trace;
 mod validation;

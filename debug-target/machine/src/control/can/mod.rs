@@ -82,7 +82,7 @@ impl CanPacket {
 }
 
 /// A channel of the bus.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Channel {
     /// Not connected: requests are refused and nothing is sent or received.
     inactive: bool,
@@ -91,6 +91,18 @@ struct Channel {
     transmit: VecDeque<CanPacket>,
     receive: VecDeque<CanPacket>,
     sent: VecDeque<CanPacket>,
+}
+
+impl Default for Channel {
+    fn default() -> Channel {
+        Channel {
+            inactive: false,
+            blocked: false,
+            transmit: VecDeque::with_capacity(CAN_QUEUE),
+            receive: VecDeque::with_capacity(CAN_QUEUE),
+            sent: VecDeque::with_capacity(SENT),
+        }
+    }
 }
 
 /// A request of CAN_RECV_REQ.
@@ -115,7 +127,7 @@ impl Receiver {
 }
 
 /// Both channels.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct CanBus {
     channels: [Channel; 2],
     receivers: Vec<Receiver>,
@@ -123,6 +135,18 @@ pub struct CanBus {
     arrived: VecDeque<(u32, CanPacket)>,
     last_handle: u32,
     lost: u32,
+}
+
+impl Default for CanBus {
+    fn default() -> CanBus {
+        CanBus {
+            channels: Default::default(),
+            receivers: Vec::with_capacity(MAX_RECEIVERS),
+            arrived: VecDeque::with_capacity(CALLS),
+            last_handle: 0,
+            lost: 0,
+        }
+    }
 }
 
 impl CanBus {

@@ -254,9 +254,10 @@ impl Elements {
                     Some(wire) => call.bytes(wire.addr as u32, 1)?.first().copied(),
                     None => None,
                 };
-                let mut cell = call.bytes(at as u32, point.size as u32)?.to_vec();
-                put(element, point, &mut cell, port);
-                call.write(at as u32, &cell)?;
+                call.bytes(at as u32, point.size as u32)?;
+                if let Some(cell) = call.memory_mut().get_mut(at..at + point.size) {
+                    put(element, point, cell, port);
+                }
             }
         }
         Ok(())
