@@ -9,8 +9,8 @@ use serde::Deserialize;
 use crate::block::{BlockFlag, BlockMode};
 pub use crate::control::elements::config::{Input, Link, Number, Output, Value};
 use crate::drive::{Outputs, Signals};
-use crate::motion::{PanelKey, Thousandths};
 use crate::motion::config::{Axis, Spindle};
+use crate::motion::{PanelKey, Thousandths};
 
 pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
 
