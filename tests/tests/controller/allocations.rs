@@ -189,7 +189,8 @@ fn memory_of_the_target_for_the_lathe_is_far_below_four_mebibytes() {
 
 /// The program of all families, with something at the other end of each.
 fn families() -> technol_target::Simulation {
-    let mut simulation = technol_target::Simulation::new(crate::families::program(), None).expect("it can be loaded");
+    let mut simulation =
+        technol_target::Simulation::new(crate::families::program(), None).expect("it can be loaded");
     crate::families::furnish(&mut simulation);
     simulation.start(true);
     simulation
