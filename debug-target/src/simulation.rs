@@ -201,10 +201,14 @@ impl Simulation {
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
             self.plant.place_axes(self.control.motion());
+            self.plant.connect(&self.control, self.runtime.memory());
             for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take(event);
             }
-            self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
+            self.plant.tell(&mut self.control);
+            let shorted = self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]);
+            let reported = self.control.reported(shorted, self.runtime.memory());
+            self.runtime.set_shorted(&reported);
             self.hand_over_blocks();
         }
         let (first, waiting) = (events.len(), self.runtime.waiting_blocks());

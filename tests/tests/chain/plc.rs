@@ -5,11 +5,13 @@ use std::path::Path;
 use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
+use technol_image::container::Image;
 use technol_image::{DebugInfo, Program};
 use technol_machine::{MachineConfig, SimulatedControl};
 use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::{Simulation, parse_machine};
 
+use crate::coverage::{concerns, left_out, loaded, recorded};
 use crate::frame;
 
 /// The cells of the tables; they lie one behind the other in this order.
@@ -117,12 +119,37 @@ impl Plc {
     }
 
     fn load(source: String, machine: Option<&MachineConfig>) -> Plc {
-        let built = build(&OneFile(source), "plc.plc");
-        let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, machine).expect("it can be loaded");
+        let mut image = recorded(&source, || build(&OneFile(source.clone()), "plc.plc").image);
+        left_out(&source, &mut image);
+        Plc::of_image(image, machine)
+    }
+
+    /// A program that was built, past MODULE_INIT.
+    pub(crate) fn from_image(image: Image) -> Plc {
+        Plc::of_image(image, None)
+    }
+
+    fn of_image(image: Image, machine: Option<&MachineConfig>) -> Plc {
+        let debug = image.debug.expect("a build has debug information");
+        let mut simulation = loaded(Simulation::new(image.program, machine));
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
+    }
+
+    /// Whether a line with code lies in a DEBUG region.
+    pub(crate) fn in_debug_region(&self, line: u32) -> Option<bool> {
+        self.debug.lines.iter().find(|it| it.line == line).map(|it| it.in_debug_region)
+    }
+
+    /// The first operation of a line.
+    pub(crate) fn pc_of(&self, line: usize) -> Option<u32> {
+        self.debug.lines.iter().find(|it| it.line as usize == line).map(|it| it.pc)
+    }
+
+    /// The line of an operation.
+    pub(crate) fn line_of(&self, pc: u32) -> Option<usize> {
+        self.debug.line_at(pc).map(|line| line.line as usize)
     }
 
     /// What happens in so many cycles.
@@ -272,7 +299,7 @@ fn indented(line: &str) -> String {
 #[track_caller]
 pub(crate) fn check(rows: &[Row]) {
     let mut wrong = Vec::new();
-    for (given, lines, then) in rows {
+    for (given, lines, then) in rows.iter().filter(|(_, lines, _)| concerns(lines)) {
         let mut plc = Plc::of(lines);
         plc.set(given);
         plc.run(1);

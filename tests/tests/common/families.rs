@@ -3,7 +3,9 @@
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Change};
 use technol_image::Program;
-use technol_machine::{CanPacket, Column, ControlData, ElementValue, Table, Value, ValueKind};
+use technol_machine::{
+    CanPacket, Column, ControlData, ElementValue, MessageKind, MessageText, Table, Value, ValueKind,
+};
 use technol_target::Simulation;
 
 /// One file as a project.
@@ -51,6 +53,13 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         constants: [(text("Offs"), 260)].into(),
         tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
         backup: vec![1; 100],
+        messages: [
+            (12, MessageKind::Err, false, "%d of %X"),
+            (67, MessageKind::Wrn1, true, "%d, then %d"),
+            (1003, MessageKind::Event, false, "both edges"),
+        ]
+        .map(|(number, kind, persistent, it)| (number, MessageText { kind, persistent, text: text(it) }))
+        .into(),
         ..ControlData::default()
     });
     let control = simulation.control_mut();
@@ -96,6 +105,8 @@ pub(crate) fn happened(simulation: &mut Simulation) {
     let written = control.shared_area_mut(0).expect("an area").iter().any(|byte| *byte != 0);
     assert!(written, "the shared area was written");
     assert!(control.output("Lamp").is_some(), "outputs left");
+    assert_eq!(control.board().transient().count(), 64, "the screen is full of messages to acknowledge");
+    assert!(control.board().lost() > 0 && control.acknowledge().is_some(), "and more came");
     let slave = control.ethercat_mut().slave_mut(1).expect("a slave");
     assert_ne!(slave.object(0x6060, 0), Some(&[1][..]), "the object was written");
 }
