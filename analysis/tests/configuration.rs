@@ -361,15 +361,15 @@ fn physical_ends_that_there_are_not_or_that_have_two_sources_are_reported() {
         ("<Input ID='a' Port='127' Bit='7' Connected='1'/><Output ID='b' Port='95' Connected='1'/>", &[][..]),
         (
             "<Input ID='a' Port='128' Connected='1'/>",
-            &["1:22 Port=\"128\" of an input would be P129IN; the last one is Port=\"127\", P128IN"],
+            &["1:21 Port=\"128\" of an input would be P129IN; the last one is Port=\"127\", P128IN"],
         ),
         (
             "<Output ID='b' Port='96' Connected='1'/>",
-            &["1:23 Port=\"96\" of an output would be P96OUT; the last one is P95OUT"],
+            &["1:22 Port=\"96\" of an output would be P96OUT; the last one is P95OUT"],
         ),
         (
             "<Input ID='a' Port='1' Bit='8'/>",
-            &["1:30 Bit cannot be \"8\"; it needs a whole number from 0 to 7"],
+            &["1:29 Bit cannot be \"8\"; it needs a whole number from 0 to 7"],
         ),
         // Outputs that share a bit are joined; two inputs of one bit are no mistake either.
         ("<Output ID='a' Bit='1' Connected='1'/>\n<Output ID='b' Bit='1' Connected='1'/>", &[]),
@@ -381,7 +381,7 @@ fn physical_ends_that_there_are_not_or_that_have_two_sources_are_reported() {
         (
             "<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1' Connected='1'/>",
             &[
-                "2:23 b and a both drive P2OUT.1, and only one of them is inverted; outputs that share a bit need the \
+                "2:22 b and a both drive P2OUT.1, and only one of them is inverted; outputs that share a bit need the \
                same Invert",
             ],
         ),
@@ -392,7 +392,7 @@ fn physical_ends_that_there_are_not_or_that_have_two_sources_are_reported() {
         (
             "</Plc><Connections>\n<Connection Source='PLC.Output.a' Destination='PLC.Input.b' Connected='1'/>\n\
              <Connection Source='PLC.Output.c' Destination='plc.input.B[0]' Connected='1'/>\n</Connections><Plc>",
-            &["3:49 the destination plc.input.B[0] stands here twice"],
+            &["3:48 the destination plc.input.B[0] stands here twice"],
         ),
     ] {
         assert_eq!(wrong_channel(elements), expected, "{elements}");

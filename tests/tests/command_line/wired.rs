@@ -22,6 +22,8 @@ const CHANNEL: &str = "<C><Plc>
 <Connection Source=\"ECAT.Rack.Inputs.Status.Bit[3]\" Destination=\"PLC.Input.Ready\" Connected=\"1\"/>
 </Connections></C>";
 const MACHINE: &str = "\
+[machine]
+name = 'Press'
 [licences]
 key = true
 features = [2]
@@ -127,9 +129,11 @@ fn identifiers_and_buses_are_told_in_words() {
     let path = project(CHANNEL);
     let out = run(&["run", &path.path(""), "--explain-machine"]).ok();
     insta::assert_snapshot!(out, @r#"
+    Press
+
     What the outputs drive
-      P1OUT.6  contact "cylinder": P3IN.4 off after 40 ms, on after 0 ms
       P1OUT.6  contact: ECAT.Rack.Inputs.Status.Bit[3] on after 0 ms, off after 0 ms
+      P1OUT.6  contact "cylinder": P3IN.4 off after 40 ms, on after 0 ms
 
     What drives the inputs
       P3IN.4                          contact "cylinder": off 40 ms after P1OUT.6 goes on, on 0 ms after it goes off

@@ -43,6 +43,8 @@ struct Loop {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Edrv {
     loops: [Loop; at::DRIVES as usize],
+    /// Any of them was asked for something since power-on.
+    used: bool,
 }
 
 impl Edrv {
@@ -55,6 +57,10 @@ impl Edrv {
     /// A millisecond.
     pub(super) fn tick(&mut self, memory: &mut [u8]) {
         let asked = REQUESTS.iter().fold(all(memory, at::EDRV_ERASE), |asked, it| asked | all(memory, it.0));
+        self.used |= asked != 0;
+        if !self.used {
+            return;
+        }
         for n in 0..at::DRIVES {
             let servo = &mut self.loops[usize::from(n)];
             servo.used |= asked >> n & 1 != 0;
