@@ -104,7 +104,7 @@ fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
     };
     let mut functions = functions(&text(&[]), &text(&["-C"]));
     // The one pointer below a tick: what the watched loop asks before each statement.
-    let asked = |function: &Function| function.shown.contains("Runtime>::execute::{{closure}}");
+    let asked = |function: &Function| function.shown.contains("Runtime>::execute_recorded::{{closure}}");
     let asked: Vec<String> =
         functions.iter().filter(|(_, it)| asked(it)).map(|(name, _)| name.clone()).collect();
     assert!(!asked.is_empty(), "the debugger's question is there under another name");
