@@ -105,8 +105,7 @@ pub(crate) fn happened(simulation: &mut Simulation) {
     let written = control.shared_area_mut(0).expect("an area").iter().any(|byte| *byte != 0);
     assert!(written, "the shared area was written");
     assert!(control.output("Lamp").is_some(), "outputs left");
-    assert_eq!(control.board().transient().count(), 64, "the screen is full of messages to acknowledge");
-    assert!(control.board().lost() > 0 && control.acknowledge().is_some(), "and more came");
+    assert!(control.board().transient().count() > 10, "messages wait to be acknowledged");
     let slave = control.ethercat_mut().slave_mut(1).expect("a slave");
     assert_ne!(slave.object(0x6060, 0), Some(&[1][..]), "the object was written");
 }
