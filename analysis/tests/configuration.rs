@@ -211,6 +211,23 @@ fn severities_of_the_project_hold_for_configuration_files() {
 }
 
 #[test]
+fn m_functions_have_groups_and_the_fixed_ones_stay_in_theirs() {
+    let functions = "<Channel>\n<MFunctions>\n<MFunc No=\"91\" GroupNo=\"10\"/>\n<MFuncs No=\"92\"/>\n\
+                     <MFunc No=\"6\" ChangePos=\"1\"/>\n<MFunc No=\"3\" GroupNo=\"4\"/>\n<MFunc No=\"91\" GroupNo=\"11\"/>\n\
+                     </MFunctions>\n</Channel>\n";
+    let read = configuration::read(ConfigKind::of_path("a.ChannelConfig").expect("a kind"), functions);
+    let configuration::Contents::Channel(channel) = read.contents else { panic!("a channel") };
+    let groups: Vec<_> = channel.m_functions.iter().map(|it| (it.number, it.group)).collect();
+    assert_eq!(groups, [(91, 10), (92, 14), (6, 9), (91, 11)]);
+    let problems: Vec<_> =
+        read.problems.iter().map(|it| format!("{} {}", it.span.start.line + 1, it.message)).collect();
+    assert_eq!(
+        problems,
+        ["6 M03 belongs to group 2 and cannot be moved to group 4", "7 the number 91 stands here twice"]
+    );
+}
+
+#[test]
 fn an_edit_gives_what_a_fresh_start_gives() {
     let files = Memory::default()
         .with("main.plc", program("        MAP_IN inDoor,'inDoor'\n", ""))

@@ -98,7 +98,10 @@ impl EventLog {
             RuntimeEvent::Fault(fault) => format!("fault: {fault}"),
             RuntimeEvent::StateChanged(state) => format!("PLC {state:?}"),
             RuntimeEvent::Overrun { cycle, rate, .. } => {
-                format!("overrun of {} in cycle {cycle}", if *rate == RateKind::Fast { "1 ms" } else { "20 ms" })
+                format!(
+                    "overrun of {} in cycle {cycle}",
+                    if *rate == RateKind::Fast { "1 ms" } else { "20 ms" }
+                )
             }
             RuntimeEvent::BlockRejected(why) => format!("a part-program block was not started: {why}"),
             RuntimeEvent::BlockStarted { .. }

@@ -153,7 +153,10 @@ fn g96_turns_the_spindle_faster_towards_the_middle() {
     assert_eq!(plc.differences("O0=1 AKRR_ACT_V=90000 AKRR_ACT_SMAX=1000000 DR_REAL=90000.0"), [""; 0]);
     plc.run(100);
     // Under 14.3 mm the limit counts: half of the range. PB11 stays as programmed.
-    assert_eq!(plc.differences("AKRR_ACT_S=1000000 AKRR_ACT_OUT=16384 WORD.VYSOVERS=16384 WORD.PB11=6553"), [""; 0]);
+    assert_eq!(
+        plc.differences("AKRR_ACT_S=1000000 AKRR_ACT_OUT=16384 WORD.VYSOVERS=16384 WORD.PB11=6553"),
+        [""; 0]
+    );
     plc.run(80);
     assert_eq!(plc.differences("O0=0 AKRR_ACT_S=0 WORD.VYSOVERS=1638"), [""; 0], "G97");
 }

@@ -51,9 +51,15 @@ fn a_run_ends_with_what_is_on_the_screen() {
         { "number": 12, "subId": 3, "cycle": 6, "text": "Hot: -3" },
     ]);
     assert_eq!(screen["transient"], transient);
-    assert_eq!(screen["persistent"], json!([{ "number": 67, "subId": null, "cycle": 2, "text": "Oil is low" }]));
+    assert_eq!(
+        screen["persistent"],
+        json!([{ "number": 67, "subId": null, "cycle": 2, "text": "Oil is low" }])
+    );
     let screen = &ran(&folder, &["--set", "LOW=1@2", "--set", "LOW=0@5"])["screen"];
-    assert_eq!((screen["persistent"].clone(), screen["transient"].as_array().map(Vec::len)), (json!([]), Some(1)));
+    assert_eq!(
+        (screen["persistent"].clone(), screen["transient"].as_array().map(Vec::len)),
+        (json!([]), Some(1))
+    );
     let path = folder.path("");
     let said = run(&["run", &path, "--cycles", "8", "--set", "LOW=1@2"]).ok();
     for line in ["  to confirm    PLC00005  Too much: 5 of FF\n", "  listed        PLC00067  Oil is low\n"] {

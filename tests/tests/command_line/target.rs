@@ -80,8 +80,13 @@ fn places_that_cannot_be_served_are_refused_with_a_remedy() {
 /// A program that counts its ends in MODULE_DONE, and its starts.
 #[cfg(unix)]
 fn counting() -> Folder {
-    let source = program("COUNT: DS 2", " LOD CNST.1\n STO COUNT", " LOD WORD.PLC_MEM_BACKUP\n INR\n STO WORD.PLC_MEM_BACKUP");
-    let done = "MODULE_DONE\n LOD CNST.77\n STO BYTE.(PLC_MEM_BACKUP+2)\n ESET 5\nMODULE_DONE_END\nMODULE_INPUT\n";
+    let source = program(
+        "COUNT: DS 2",
+        " LOD CNST.1\n STO COUNT",
+        " LOD WORD.PLC_MEM_BACKUP\n INR\n STO WORD.PLC_MEM_BACKUP",
+    );
+    let done =
+        "MODULE_DONE\n LOD CNST.77\n STO BYTE.(PLC_MEM_BACKUP+2)\n ESET 5\nMODULE_DONE_END\nMODULE_INPUT\n";
     Folder::with(&[("main.plc", source.replacen("MODULE_INPUT\n", done, 1).as_bytes())])
 }
 
@@ -104,7 +109,10 @@ fn a_signal_ends_the_program_in_order_and_what_is_kept_is_saved() {
         said.read_line(&mut line).expect("it says something");
         assert!(line.starts_with("listening at tcp:"), "{line}");
         let deadline = Instant::now() + Duration::from_secs(60);
-        let running = || std::fs::read_to_string(&log).is_ok_and(|log| log.matches("PLC Running").count() == usize::from(start));
+        let running = || {
+            std::fs::read_to_string(&log)
+                .is_ok_and(|log| log.matches("PLC Running").count() == usize::from(start))
+        };
         while !running() {
             assert!(Instant::now() < deadline, "the program does not start");
             std::thread::sleep(Duration::from_millis(5));
@@ -120,5 +128,6 @@ fn a_signal_ends_the_program_in_order_and_what_is_kept_is_saved() {
     for part in ["Z 0:00:00.020 PLC Starting", " Err PLC00005\n", " PLC Stopped\n"] {
         assert_eq!(log.matches(part).count(), 2, "`{part}` in:\n{log}");
     }
-    run(&["target", LISTEN[0], LISTEN[1], "--log", &folder.path("no/folder/x.log")]).failed(2, &["event log"]);
+    run(&["target", LISTEN[0], LISTEN[1], "--log", &folder.path("no/folder/x.log")])
+        .failed(2, &["event log"]);
 }

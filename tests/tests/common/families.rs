@@ -3,7 +3,9 @@
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Change};
 use technol_image::Program;
-use technol_machine::{CanPacket, Column, ControlData, ElementValue, Table, Value, ValueKind};
+use technol_machine::{
+    CanPacket, Column, ControlData, ElementValue, MessageKind, MessageText, Table, Value, ValueKind,
+};
 use technol_target::Simulation;
 
 /// One file as a project.
@@ -31,17 +33,33 @@ pub(crate) fn program() -> Program {
 /// What the instructions of the control find, so that they do not end at once.
 pub(crate) fn furnish(simulation: &mut Simulation) {
     let text = |text: &str| text.as_bytes().to_vec();
-    let columns =
-        [("Name", ValueKind::Text), ("Teeth", ValueKind::Int), ("Feed", ValueKind::Real), ("Blob", ValueKind::Bytes)];
+    let columns = [
+        ("Name", ValueKind::Text),
+        ("Teeth", ValueKind::Int),
+        ("Feed", ValueKind::Real),
+        ("Blob", ValueKind::Bytes),
+    ];
     let columns = columns.map(|(id, kind)| Column { id: text(id), kind }).to_vec();
-    let row = vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
-    let parameters =
-        [("Delay", Value::Int(7)), ("Gain", Value::Real(2.5)), ("Name", Value::Text(text("xyz"))), ("Raw", Value::Bytes(vec![9; 40]))];
+    let row =
+        vec![Value::Text(text("Steel")), Value::Int(-3), Value::Real(120.5), Value::Bytes(vec![1, 2, 3])];
+    let parameters = [
+        ("Delay", Value::Int(7)),
+        ("Gain", Value::Real(2.5)),
+        ("Name", Value::Text(text("xyz"))),
+        ("Raw", Value::Bytes(vec![9; 40])),
+    ];
     simulation.set_data(ControlData {
         parameters: parameters.map(|(id, value)| (text(id), value)).into(),
         constants: [(text("Offs"), 260)].into(),
         tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
         backup: vec![1; 100],
+        messages: [
+            (12, MessageKind::Err, false, "%d of %X"),
+            (67, MessageKind::Wrn1, true, "%d, then %d"),
+            (1003, MessageKind::Event, false, "both edges"),
+        ]
+        .map(|(number, kind, persistent, it)| (number, MessageText { kind, persistent, text: text(it) }))
+        .into(),
         ..ControlData::default()
     });
     let control = simulation.control_mut();
@@ -75,7 +93,11 @@ pub(crate) fn feed(simulation: &mut Simulation, cycle: u32) {
 /// Everything that the program does went all the way through.
 pub(crate) fn happened(simulation: &mut Simulation) {
     let row = simulation.control().data().tables[0].rows[0].clone();
-    assert_ne!((&row[0], &row[3]), (&Value::Text(b"Steel".to_vec()), &Value::Bytes(vec![1, 2, 3])), "{row:?}");
+    assert_ne!(
+        (&row[0], &row[3]),
+        (&Value::Text(b"Steel".to_vec()), &Value::Bytes(vec![1, 2, 3])),
+        "{row:?}"
+    );
     let control = simulation.control_mut();
     assert!(control.can_mut().take_sent(2).len() > 100, "packets were sent");
     assert!(control.can_mut().lost() > 0, "and queues were full");
@@ -83,6 +105,7 @@ pub(crate) fn happened(simulation: &mut Simulation) {
     let written = control.shared_area_mut(0).expect("an area").iter().any(|byte| *byte != 0);
     assert!(written, "the shared area was written");
     assert!(control.output("Lamp").is_some(), "outputs left");
+    assert!(control.board().transient().count() > 10, "messages wait to be acknowledged");
     let slave = control.ethercat_mut().slave_mut(1).expect("a slave");
     assert_ne!(slave.object(0x6060, 0), Some(&[1][..]), "the object was written");
 }

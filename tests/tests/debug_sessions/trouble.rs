@@ -179,9 +179,17 @@ const MISUSES: &[(&str, &str, &str)] = &[
     (" BIN", "BCD", "LOD CNST.0FFh / BIN"),
     (" EQ CNST.0| JL1 AGAIN| LOD ZERO", "endless loop", "AGAIN: / LOD ZERO / EQ CNST.0 / JL1 AGAIN"),
     // The index leads out of memory.
-    (" STO BYTE.VALUE[BX]", "outside PLC memory", "LOD CNST.8000h / MOV BX,CX / RL 8 / MOV EBX,80000000h / STO BYTE.VALUE[BX]"),
+    (
+        " STO BYTE.VALUE[BX]",
+        "outside PLC memory",
+        "LOD CNST.8000h / MOV BX,CX / RL 8 / MOV EBX,80000000h / STO BYTE.VALUE[BX]",
+    ),
     // It leads into the cells in which a mechanism keeps where it is: the next pass finds nonsense there.
-    ("MECH_BEGIN WORKER", "continuation", "EX // MOV EBX,0 / LOOP: / LOD CNST.0FFh / STO BYTE.ZERO[BX] / INC EBX / CMP EBX,20 / JB LOOP"),
+    (
+        "MECH_BEGIN WORKER",
+        "continuation",
+        "EX // MOV EBX,0 / LOOP: / LOD CNST.0FFh / STO BYTE.ZERO[BX] / INC EBX / CMP EBX,20 / JB LOOP",
+    ),
 ];
 
 #[test]
@@ -207,7 +215,8 @@ fn whatever_a_program_misuses_is_told_with_file_line_and_mechanism_and_the_targe
             let stop = adapter.client.event(mark, "stopped").unwrap_or_else(|e| panic!("{said}: {e}"));
             assert_eq!(stop["reason"], "exception", "{said}: {stop}");
             let thread = stop["threadId"].as_i64().expect("a thread");
-            let info = adapter.client.request("exceptionInfo", json!({ "threadId": thread })).expect("the reason");
+            let info =
+                adapter.client.request("exceptionInfo", json!({ "threadId": thread })).expect("the reason");
             let text = info["description"].as_str().expect("a text");
             assert!(text.contains(said) && text.contains("WORKER"), "{said}: {text}");
             assert!(places.iter().any(|place| text.contains(place.as_str())), "{places:?}: {text}");

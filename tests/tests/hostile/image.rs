@@ -229,7 +229,11 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
         1 => drop(plc.set_breakpoints(&[])),
         2 => plc.pause(),
         3 => plc.set_line_by_line(value % 2 == 0),
-        4 => plc.command(Command::StartBlock(Block { m: vec![value, 3, 30], motion_ms: 5, ..Block::default() })),
+        4 => plc.command(Command::StartBlock(Block {
+            m: vec![value, 3, 30],
+            motion_ms: 5,
+            ..Block::default()
+        })),
         5 => plc.command(Command::AbortBlock),
         6 if value == 0 => plc.command(Command::StopPlc { power_off: true }),
         6 if value == 1 => plc.command(Command::Halt),
@@ -237,7 +241,8 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
         6 => plc.command(Command::Event(i64::from(value))),
         7 => {
             let mut registers = plc.registers();
-            registers.bx = [0, 1, 8, 0x7FFF, 0x8000, 0xFFFF, 1 << 31, u32::MAX, u32::MAX - 8][usize::from(value) % 9];
+            registers.bx =
+                [0, 1, 8, 0x7FFF, 0x8000, 0xFFFF, 1 << 31, u32::MAX, u32::MAX - 8][usize::from(value) % 9];
             plc.set_registers(registers);
         }
         8..=11 => {

@@ -68,7 +68,8 @@ fn run(machine: &technol_machine::MachineConfig) {
         Ok(simulation) => simulation,
         Err(error) => panic!("{error}"),
     };
-    let keys: Vec<String> = simulation.plant().keys().map(|(name, _)| name.to_owned()).take(SWITCHES).collect();
+    let keys: Vec<String> =
+        simulation.plant().keys().map(|(name, _)| name.to_owned()).take(SWITCHES).collect();
     let faults: Vec<String> =
         simulation.plant().faults().map(|(name, _)| name.to_owned()).take(SWITCHES).collect();
     simulation.start(true);

@@ -2,8 +2,29 @@
 
 /// Numbers at which something ends.
 const NUMBERS: &[&str] = &[
-    "0", "1", "-1", "7", "8", "255", "256", "65535", "65536", "2147483647", "4294967295", "4294967296",
-    "9223372036854775807", "-9223372036854775808", "0.0", "1e300", "nan", "inf", "-0.5", "true", "\"\"", "[]", "{}",
+    "0",
+    "1",
+    "-1",
+    "7",
+    "8",
+    "255",
+    "256",
+    "65535",
+    "65536",
+    "2147483647",
+    "4294967295",
+    "4294967296",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "0.0",
+    "1e300",
+    "nan",
+    "inf",
+    "-0.5",
+    "true",
+    "\"\"",
+    "[]",
+    "{}",
 ];
 
 /// The text with some changes; words come from the other texts too. The same seed makes the same changes.
@@ -70,8 +91,11 @@ fn words(text: &str, others: &[String], random: &mut Random) -> String {
         2 if !theirs.is_empty() => words[at] = theirs[random.below(theirs.len())],
         _ => {
             // A number for a number, mostly: elsewhere it is a mistake of form at once.
-            let numbers: Vec<usize> =
-                real.iter().copied().filter(|at| words[*at].starts_with(|c: char| c.is_ascii_digit())).collect();
+            let numbers: Vec<usize> = real
+                .iter()
+                .copied()
+                .filter(|at| words[*at].starts_with(|c: char| c.is_ascii_digit()))
+                .collect();
             let at = if numbers.is_empty() { at } else { numbers[random.below(numbers.len())] };
             words[at] = NUMBERS[random.below(NUMBERS.len())];
         }
@@ -100,7 +124,13 @@ fn split(text: &str) -> Vec<&str> {
 
 /// The same for a fuzzer, which gives `size` bytes and room for `max`; answers the new length. Of nothing one of the seeds is made.
 #[allow(dead_code)] // only fuzz targets use it
-pub(crate) fn mutate_in_place(data: &mut [u8], size: usize, max: usize, seeds: &[String], seed: u32) -> usize {
+pub(crate) fn mutate_in_place(
+    data: &mut [u8],
+    size: usize,
+    max: usize,
+    seeds: &[String],
+    seed: u32,
+) -> usize {
     let own = String::from_utf8_lossy(&data[..size]).into_owned();
     let begin = if size < 8 || seed % 31 == 0 { &seeds[seed as usize / 31 % seeds.len()] } else { &own };
     let changed = mutate(begin, seeds, u64::from(seed));

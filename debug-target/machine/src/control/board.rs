@@ -65,10 +65,7 @@ impl MessageKind {
     /// Messages of this kind go into the event log.
     #[must_use]
     pub fn is_logged(self) -> bool {
-        matches!(
-            self,
-            MessageKind::ErrCritical | MessageKind::Err | MessageKind::Wrn1 | MessageKind::Event
-        )
+        matches!(self, MessageKind::ErrCritical | MessageKind::Err | MessageKind::Wrn1 | MessageKind::Event)
     }
 }
 
@@ -270,7 +267,10 @@ mod tests {
         for n in 0..LISTED as u32 + 2 {
             board.report(Some(&known(MessageKind::Wrn3, true)), message(n, 0), true);
         }
-        assert_eq!((board.transient().count(), board.persistent().count(), board.lost()), (WAITING, LISTED, 5));
+        assert_eq!(
+            (board.transient().count(), board.persistent().count(), board.lost()),
+            (WAITING, LISTED, 5)
+        );
     }
 
     #[test]
@@ -288,7 +288,8 @@ mod tests {
             assert_eq!(MessageKind::of(kind.name()), Some(kind));
         }
         assert_eq!(MessageKind::of("err"), None);
-        let logged: Vec<_> = MessageKind::ALL.into_iter().filter(|kind| kind.is_logged()).map(MessageKind::name).collect();
+        let logged: Vec<_> =
+            MessageKind::ALL.into_iter().filter(|kind| kind.is_logged()).map(MessageKind::name).collect();
         assert_eq!(logged, ["ErrCritical", "Err", "Wrn1", "Event"]);
     }
 }

@@ -139,9 +139,7 @@ fn carry_out<'a>(
         Service::PlctColIndex => {
             number(table.columns.iter().position(|column| column.id == *bytes).ok_or(NO_COLUMN)?)
         }
-        Service::PlctColId => {
-            Found::Value(Content::Text(&table.columns.get(column).ok_or(NO_COLUMN)?.id))
-        }
+        Service::PlctColId => Found::Value(Content::Text(&table.columns.get(column).ok_or(NO_COLUMN)?.id)),
         Service::PlctColType => number(type_number(table.columns.get(column).ok_or(NO_COLUMN)?)),
         Service::PlctGetLinescount => number(table.rows.len()),
         Service::PlctGetSelline => {

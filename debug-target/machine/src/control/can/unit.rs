@@ -22,7 +22,7 @@ enum By {
 use By::{Control, Program};
 
 /// Members of the structure INOUTS.
-const MEMBERS: [(&str, Width, By); 43] = [
+const MEMBERS: [(&str, Width, By); 45] = [
     ("SIZE", Word, Control),
     ("PRESENT", Byte, Control),
     ("MODE", Byte, Program),
@@ -60,6 +60,8 @@ const MEMBERS: [(&str, Width, By); 43] = [
     ("TPDO_COUNT", Word, Control),
     ("PXIN", Word, Control),
     ("PXOUT", Word, Control),
+    ("IRC0", Word, Control),
+    ("IRC1", Word, Control),
     ("MODE_ACT", Byte, Control),
     ("MODE_FAZE", Byte, Control),
     ("TL0", Byte, Control),
