@@ -79,12 +79,12 @@ pub(crate) fn feed(simulation: &mut Simulation, cycle: u32) {
     let value = cycle as u8;
     let control = simulation.control_mut();
     // Both queues run full in between.
-    for n in 0..if cycle % 50 == 0 { 100 } else { 3 } {
+    for n in 0..if cycle.is_multiple_of(50) { 100 } else { 3 } {
         control.can_mut().feed(1, CanPacket::new(0x300, &[value, n]));
         control.can_mut().feed(2, CanPacket::new(0x581, &[value, n]));
     }
     control.serial_mut(1).feed(&[value; 5]);
-    control.set_input("inDoor", ElementValue::from(cycle % 2 == 0)).expect("an input");
+    control.set_input("inDoor", ElementValue::from(cycle.is_multiple_of(2))).expect("an input");
     control.set_input("In", ElementValue::from(i64::from(value))).expect("an input");
     control.edit_table(0, 0, 1, Value::Int(i64::from(value)));
     control.select_row(0, cycle as usize % 3);

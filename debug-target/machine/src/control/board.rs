@@ -102,21 +102,18 @@ impl Shown {
         let mut text = Vec::with_capacity(rest.len());
         while let Some((first, behind)) = rest.split_first() {
             let form = behind.first().copied().filter(|_| *first == b'%');
-            rest = match form {
-                Some(form @ (b'd' | b'X')) => {
-                    let value = values.next().copied().flatten().unwrap_or(0);
-                    let digits = if form == b'd' {
-                        alloc::format!("{value}")
-                    } else {
-                        alloc::format!("{:X}", value as u32)
-                    };
-                    text.extend_from_slice(digits.as_bytes());
-                    &behind[1..]
-                }
-                _ => {
-                    text.push(*first);
-                    behind
-                }
+            rest = if let Some(form @ (b'd' | b'X')) = form {
+                let value = values.next().copied().flatten().unwrap_or(0);
+                let digits = if form == b'd' {
+                    alloc::format!("{value}")
+                } else {
+                    alloc::format!("{:X}", value as u32)
+                };
+                text.extend_from_slice(digits.as_bytes());
+                &behind[1..]
+            } else {
+                text.push(*first);
+                behind
             };
         }
         text

@@ -177,6 +177,7 @@ impl Table {
     }
 
     /// Replaces a value; false, and nothing happens, outside the table and when the type is not that of the column.
+    #[allow(clippy::needless_pass_by_value)] // a value is given away, whether or not its memory is used
     pub fn set(&mut self, row: usize, column: usize, value: Value) -> bool {
         self.put(row, column, value.content())
     }

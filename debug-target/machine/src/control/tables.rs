@@ -82,7 +82,9 @@ impl Tables {
             self.views.resize(tables.len(), View::default());
         }
         if self.longest > 0 {
-            tables.iter_mut().for_each(|table| table.reserve(self.longest));
+            for table in tables {
+                table.reserve(self.longest);
+            }
         }
     }
 
