@@ -110,6 +110,9 @@ pub(crate) struct RunArguments {
     /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
     #[arg(long, value_name = "FILE")]
     pub(crate) backup: Option<PathBuf>,
+    /// Append messages, faults and states of the PLC to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
     /// Switch a fault of the machine on before a cycle (default: before cycle 0)
     #[arg(long, value_name = "NAME[@CYCLE]")]
     pub(crate) fault: Vec<String>,
@@ -167,6 +170,9 @@ pub(crate) struct TargetArguments {
     /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
     #[arg(long, value_name = "FILE")]
     pub(crate) backup: Option<PathBuf>,
+    /// Append messages, faults and states of the PLC to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
     /// Clock of the program
     #[arg(long, value_enum, default_value = "real")]
     pub(crate) clock: ClockName,
@@ -253,4 +259,7 @@ pub(crate) struct ExplainArguments {
 pub(crate) struct DemoArguments {
     /// Another copy of the lathe example [default: the one this binary was built with]
     pub(crate) path: Option<PathBuf>,
+    /// Keep PLC_MEM_BACKUP in this file (default: what `[keep]` of the machine file names)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) backup: Option<PathBuf>,
 }

@@ -1,13 +1,17 @@
 //! Brings the debug adapter to its targets: in this process, over TCP, over a serial line.
 
 use std::io;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use technol_dap::{ByteLink, Clock, Connector, Disk, TargetSpec};
 use technol_target::{Address, Link, TargetHandle, TargetOptions};
 
 /// Opens the links of technol-target for the adapter.
-pub(crate) struct Targets;
+pub(crate) struct Targets {
+    /// Where an embedded target keeps PLC_MEM_BACKUP; without it where the machine file says.
+    pub(crate) backup: Option<PathBuf>,
+}
 
 /// A link, and the embedded target at its other end when there is one.
 struct Wire {
@@ -42,7 +46,7 @@ impl Connector for Targets {
                 let (data, keep) = crate::control_data::control_data(
                     loaded.as_ref(),
                     machine.as_ref().zip(file.as_deref()),
-                    None,
+                    self.backup.clone(),
                 )?;
                 let clock = match clock {
                     Clock::Real => technol_target::Clock::Real,

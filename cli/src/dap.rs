@@ -1,6 +1,7 @@
 //! `technol dap` and `technol lsp`: the two servers.
 
 use std::net::TcpListener;
+use std::path::Path;
 use std::sync::Arc;
 
 use technol_dap::{FileBuilder, Surroundings};
@@ -13,7 +14,13 @@ use crate::out::say;
 
 /// What every session of the adapter works with.
 pub(crate) fn surroundings() -> Surroundings {
-    Surroundings { connector: Arc::new(Targets), builder: Arc::new(FileBuilder) }
+    surroundings_with(None)
+}
+
+/// The same with a file in which embedded targets keep PLC_MEM_BACKUP.
+pub(crate) fn surroundings_with(backup: Option<&Path>) -> Surroundings {
+    let connector = Targets { backup: backup.map(Path::to_owned) };
+    Surroundings { connector: Arc::new(connector), builder: Arc::new(FileBuilder) }
 }
 
 /// Serves one editor on stdio, or one after another on TCP.

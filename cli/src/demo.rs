@@ -44,7 +44,7 @@ pub(crate) fn demo(arguments: &DemoArguments) -> Outcome {
     show.title("technol: edit, check, build, run, break, step, watch");
     let project = check(&folder, show)?;
     build(&project, show)?;
-    debug(&folder, show)?;
+    debug(&folder, arguments.backup.as_deref(), show)?;
     show.next();
     Ok(exit::OK)
 }
@@ -101,7 +101,7 @@ fn find(folder: &Path, file: &str, text: &str) -> Result<Stop, Failure> {
     }
 }
 
-fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
+fn debug(folder: &Path, backup: Option<&Path>, show: Show) -> Result<(), Failure> {
     let dead_time = find(folder, "spindle.plc", DEAD_TIME)?;
     let end = find(folder, "spindle.plc", END)?;
     let path = dead_time.path.to_string_lossy().into_owned();
@@ -111,7 +111,7 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
         &format!("break-point in spindle.plc, line {}", dead_time.line),
     );
     let start = Instant::now();
-    let mut client = Client::in_process(&crate::dap::surroundings())?;
+    let mut client = Client::in_process(&crate::dap::surroundings_with(backup))?;
     let launch = json!({ "program": folder, "target": "embedded", "clock": "virtual" });
     let mark = client.mark();
     client.start(launch, &[(&path, &[dead_time.line])])?;
@@ -146,6 +146,7 @@ fn debug(folder: &Path, show: Show) -> Result<(), Failure> {
     location(&mut client, thread, show)?;
     watches(&mut client, show)?;
     client.disconnect(json!({ "terminateDebuggee": true }))?;
+    client.end();
     Ok(())
 }
 

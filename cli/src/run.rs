@@ -22,6 +22,7 @@ const CYCLE: Duration = Duration::from_millis(20);
 /// Runs the project. Exit 0; 1 when it has errors; 2 for a wrong name or value; 3 on a PLC fault.
 pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     let project = Project::open(&arguments.path)?;
+    crate::build::configuration_errors(&project)?;
     let built = crate::build::image(&project)?;
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
@@ -33,7 +34,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
         let machine = machine.ok_or_else(|| {
             Failure::usage("no machine is described: name a file by `file` in `[machine]` of technol.toml")
         })?;
-        explain::explain(&machine, &program, &debug, arguments.format);
+        let channel = crate::control_data::channel(&project.loaded);
+        explain::explain(&machine, &channel, &program, &debug, arguments.format);
         return Ok(exit::OK);
     }
     // Everything that was asked for is checked before anything moves.
@@ -50,6 +52,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     )
     .map_err(Failure::usage)?;
     simulation.set_data(data);
+    let mut log = crate::control_data::event_log(arguments.log.as_deref(), false)?;
+    let mut logged = 0;
 
     let mut events = Vec::new();
     simulation.start(true);
@@ -63,12 +67,19 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
             let due = CYCLE.saturating_mul(u32::try_from(done).unwrap_or(u32::MAX));
             std::thread::sleep(due.saturating_sub(start.elapsed()));
         }
-        if simulation.cycle(&mut events) == TickOutcome::Stopped || !simulation.runtime().state().is_cycling()
-        {
+        let outcome = simulation.cycle(&mut events);
+        if let Some(log) = &mut log {
+            log.write(&simulation, &events[logged..]).map_err(Failure::usage)?;
+            logged = events.len();
+        }
+        if outcome == TickOutcome::Stopped || !simulation.runtime().state().is_cycling() {
             break;
         }
         done += 1;
         keep.follow(simulation.control()).map_err(Failure::usage)?;
+    }
+    if let Some(log) = &mut log {
+        log.write(&simulation, events.get(logged..).unwrap_or_default()).map_err(Failure::usage)?;
     }
     simulation.power_off();
     keep.follow(simulation.control()).map_err(Failure::usage)?;

@@ -2,7 +2,11 @@
 
 use std::io::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+
+use signal_hook::consts::TERM_SIGNALS;
+use signal_hook::flag;
 
 use technol_target::{Address, Clock, Notice, TargetCore, TargetOptions};
 
@@ -10,7 +14,8 @@ use crate::arguments::{ClockName, TargetArguments};
 use crate::exit::{self, Failure, Outcome};
 use crate::files::Project;
 
-/// Serves debuggers until the process is ended.
+/// Serves debuggers until the process is ended. Ended by a signal it is switched off as a control would be: MODULE_DONE, then
+/// what is kept is saved.
 pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
     let program = match &arguments.image {
         Some(path) => Some(read_image(path)?.program),
@@ -21,6 +26,9 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         None => None,
     };
     let project = arguments.configuration.as_deref().map(Project::open).transpose()?;
+    if let Some(project) = &project {
+        crate::build::configuration_errors(project)?;
+    }
     let (data, keep) = crate::control_data::control_data(
         project.as_ref().map(|project| &*project.loaded),
         machine.as_ref().zip(arguments.machine.as_deref()),
@@ -31,10 +39,10 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         ClockName::Real => Clock::Real,
         ClockName::Virtual => Clock::Virtual,
     };
-    let options = TargetOptions { clock, machine, data, keep, program, start: arguments.start };
+    let log = crate::control_data::event_log(arguments.log.as_deref(), clock == Clock::Real)?;
+    let options = TargetOptions { clock, machine, data, keep, log, program, start: arguments.start };
     let mut core = TargetCore::new(options).map_err(|e| Failure::usage(e.to_string()))?;
-    // Ended by the signal that ends the process; what was saved until then is in its files.
-    let shutdown = AtomicBool::new(false);
+    let shutdown = ended_by_signal()?;
     let mut tell = |notice: Notice| {
         let mut out = std::io::stdout().lock();
         // Whoever started the target may have closed its output.
@@ -51,7 +59,20 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         }
     };
     ended.map_err(|e| Failure::usage(e.to_string()))?;
+    core.shut_down().map_err(Failure::usage)?;
     Ok(exit::OK)
+}
+
+/// A flag that Ctrl-C and the signal that ends a process set; the second time they end it at once.
+fn ended_by_signal() -> Result<Arc<AtomicBool>, Failure> {
+    let ended = Arc::new(AtomicBool::new(false));
+    for signal in TERM_SIGNALS {
+        // In this order: a flag that is set already makes the first of them end the process.
+        flag::register_conditional_shutdown(*signal, 128 + signal, Arc::clone(&ended))
+            .and_then(|_| flag::register(*signal, Arc::clone(&ended)))
+            .map_err(|e| Failure::usage(format!("cannot wait for signals: {e}")))?;
+    }
+    Ok(ended)
 }
 
 /// Reads an image file.

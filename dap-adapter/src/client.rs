@@ -4,6 +4,7 @@
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
@@ -72,6 +73,8 @@ pub struct Client {
     last_adapter_seq: i64,
     patience: Duration,
     closed: bool,
+    /// An adapter in this process.
+    adapter: Option<JoinHandle<()>>,
 }
 
 impl Client {
@@ -107,6 +110,7 @@ impl Client {
             last_adapter_seq: 0,
             patience: PATIENCE,
             closed: false,
+            adapter: None,
         }
     }
 
@@ -122,8 +126,22 @@ impl Client {
         let (adapter_in, client_out) = io::pipe()?;
         let (client_in, adapter_out) = io::pipe()?;
         let surroundings = surroundings.clone();
-        std::thread::spawn(move || serve(adapter_in, adapter_out, &surroundings));
-        Ok(Client::new(client_in, client_out))
+        let adapter = std::thread::spawn(move || {
+            // The client hears of an end that is no good end.
+            let _ = serve(adapter_in, adapter_out, &surroundings);
+        });
+        Ok(Client { adapter: Some(adapter), ..Client::new(client_in, client_out) })
+    }
+
+    /// Ends the conversation. An adapter in this process has ended then too, and with it an embedded target, which has written
+    /// its files.
+    pub fn end(self) {
+        let Client { output, received, adapter, .. } = self;
+        drop((output, received));
+        if let Some(adapter) = adapter {
+            // A panic in it has already been printed.
+            let _ = adapter.join();
+        }
     }
 
     /// Waits so long from now on.

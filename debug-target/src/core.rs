@@ -11,7 +11,9 @@ use technol_wire::message::{Chunk, Event, PlcState, Status};
 
 use crate::clock::{CYCLE, Pacer};
 use crate::convert;
+use crate::event_log::EventLog;
 use crate::keep::Keep;
+use crate::lines::Lines;
 use crate::simulation::{Simulation, SimulationError};
 
 /// Wall time that virtual cycles may take before the link is looked at again.
@@ -38,6 +40,8 @@ pub struct TargetOptions {
     pub data: ControlData,
     /// Where changes of that are kept.
     pub keep: Keep,
+    /// Where what happens is logged.
+    pub log: Option<EventLog>,
     /// Loaded at once.
     pub program: Option<Program>,
     /// Started at once (cold), as at power-on.
@@ -63,6 +67,9 @@ pub struct TargetCore {
     machine: Option<MachineConfig>,
     data: ControlData,
     keep: Keep,
+    log: Option<EventLog>,
+    /// Serial ports of the program.
+    lines: Lines,
     pub(crate) simulation: Option<Simulation>,
     pub(crate) program: Option<ContentHash>,
     pub(crate) download: Option<Download>,
@@ -82,13 +89,17 @@ impl TargetCore {
     /// # Errors
     /// A program or a machine that is wrong.
     pub fn new(options: TargetOptions) -> Result<TargetCore, SimulationError> {
-        let TargetOptions { clock, machine, data, keep, program, start } = options;
+        let TargetOptions { clock, machine, data, keep, log, program, start } = options;
         let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        // In virtual time no device could follow.
+        let lines = Lines::open(machine.as_ref().filter(|_| clock == Clock::Real));
         let mut core = TargetCore {
             clock,
+            lines,
             machine,
             data,
             keep,
+            log,
             simulation: None,
             program: None,
             download: None,
@@ -255,6 +266,7 @@ impl TargetCore {
     /// One cycle, or what is left of it; while the program is held, 20 ms of MODULE_CONT.
     fn run_cycle(&mut self) {
         let Some(simulation) = &mut self.simulation else { return };
+        self.lines.exchange(simulation.control_mut());
         if simulation.runtime().stopped().is_some() {
             for _ in 0..CYCLE.as_millis() {
                 simulation.tick(&mut self.occurred);
@@ -263,7 +275,29 @@ impl TargetCore {
             simulation.cycle(&mut self.occurred);
         }
         self.keep_files();
+        self.log();
         self.report();
+    }
+
+    /// Logs what occurred.
+    fn log(&mut self) {
+        if let (Some(log), Some(simulation)) = (&mut self.log, &self.simulation)
+            && let Err(error) = log.write(simulation, &self.occurred)
+        {
+            self.events.push(Event::Log(error));
+        }
+    }
+
+    /// Ends the target as a control is switched off: the program ends through MODULE_DONE, and everything that is kept is saved.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn shut_down(mut self) -> Result<(), String> {
+        let Some(mut simulation) = self.simulation.take() else { return Ok(()) };
+        simulation.shut_down(&mut self.occurred);
+        let kept = self.keep.follow(simulation.control());
+        let logged = self.log.as_mut().map_or(Ok(()), |log| log.write(&simulation, &self.occurred));
+        kept.and(logged)
     }
 
     /// Turns what occurred in the runtime into events for the host.

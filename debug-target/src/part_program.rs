@@ -3,6 +3,9 @@
 use technol_machine::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 use technol_runtime::{self as runtime, Block, BlockFlags, BlockReal, Prepared};
 
+/// Millimetres in a metre.
+const MM: f64 = 1000.0;
+
 /// A block that the machine starts.
 pub(crate) fn block(start: BlockStart) -> Block {
     let BlockStart { m, s, t, h, motion_ms, rapid, mode, extra } = start;
@@ -30,6 +33,8 @@ fn prepared(extra: &BlockExtra) -> Prepared {
     }
     for (real, value) in [
         (BlockReal::SpindleSpeed, extra.speed),
+        (BlockReal::ConstCuttingSpeed, extra.cutting_speed.map(|speed| speed * MM)),
+        (BlockReal::SpindleSpeedLimit, extra.speed_limit),
         (BlockReal::FeedProgr, extra.feed),
         (BlockReal::FeedMax, extra.feed_max),
         (BlockReal::BlockLen, extra.length),

@@ -21,16 +21,25 @@ pub struct SerialLink {
 impl SerialLink {
     /// Opens a device, exclusively. What it has received before is thrown away.
     pub fn open(device: &str, baud: u32) -> Result<SerialLink, serialport::Error> {
-        let port = serialport::new(device, baud)
-            .data_bits(DataBits::Eight)
-            .parity(Parity::None)
-            .stop_bits(StopBits::One)
-            .flow_control(FlowControl::None)
-            .timeout(SEND_TIMEOUT)
-            .open()?;
-        port.clear(ClearBuffer::All)?;
-        Ok(SerialLink { port, baud })
+        Ok(SerialLink { port: open_port(device, baud, SEND_TIMEOUT)?, baud })
     }
+}
+
+/// Opens a device exclusively: 8 data bits, no parity, 1 stop bit, no flow control. What it has received before is thrown away.
+pub(crate) fn open_port(
+    device: &str,
+    baud: u32,
+    timeout: Duration,
+) -> Result<Box<dyn SerialPort>, serialport::Error> {
+    let port = serialport::new(device, baud)
+        .data_bits(DataBits::Eight)
+        .parity(Parity::None)
+        .stop_bits(StopBits::One)
+        .flow_control(FlowControl::None)
+        .timeout(timeout)
+        .open()?;
+    port.clear(ClearBuffer::All)?;
+    Ok(port)
 }
 
 impl Link for SerialLink {

@@ -4,17 +4,24 @@ use std::collections::VecDeque;
 
 use technol_image::Program;
 use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
+use technol_image::system::m_group;
 use technol_machine::{
-    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, SimulatedControl,
+    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown,
+    SimulatedControl,
 };
 use technol_runtime::{
-    Block, Command, Gear, InputImage, LoadError, PlcState, Runtime, RuntimeEvent, TickOutcome,
+    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
 };
 
 use crate::part_program;
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;
+/// The highest M function and the highest group.
+const LAST_M: u8 = 99;
+const LAST_GROUP: u8 = 14;
+/// Cycles that MODULE_DONE may take when the power is switched off.
+const LAST_CYCLES: u32 = 250;
 
 /// Why there is no simulation.
 #[derive(Debug, thiserror::Error)]
@@ -66,17 +73,13 @@ impl Simulation {
         let control = plant.control();
         // Nor another group than those.
         let _ = runtime.set_m_groups(&control.m_groups);
-        let gears: Vec<Gear> = control
-            .gears
-            .iter()
-            .map(|gear| Gear { max_speed: gear.max_speed, max_output: gear.max_output })
-            .collect();
-        runtime.set_gears(&gears);
         runtime.set_conditional_stop(control.conditional_stop);
+        let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
+        around.prepare(&runtime.program().services);
         Ok(Simulation {
             runtime,
             plant,
-            control: machine.map_or_else(SimulatedControl::new, SimulatedControl::of),
+            control: around,
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
@@ -131,12 +134,45 @@ impl Simulation {
         let bytes = data.backup.get(..PLC_MEM_BACKUP_LEN as usize).unwrap_or(&data.backup);
         // The system region holds the area, so this does not fail.
         let _ = self.runtime.write_memory(PLC_MEM_BACKUP, bytes);
+        self.set_m_groups(&data.m_groups);
         self.control.set_data(data);
+    }
+
+    /// Groups of M functions by the configuration; the machine file wins. Both were checked where they were read: what cannot
+    /// be is left out.
+    fn set_m_groups(&mut self, configured: &[(u8, u8)]) {
+        let own = &self.plant.control().m_groups;
+        let counts = |(m, group): &&(u8, u8)| {
+            *m <= LAST_M
+                && (1..=LAST_GROUP).contains(group)
+                && m_group(*m).is_none_or(|fixed| fixed == *group)
+                && !own.iter().any(|(function, _)| function == m)
+        };
+        let groups: Vec<(u8, u8)> = configured.iter().filter(counts).chain(own).copied().collect();
+        // So this does not fail.
+        let _ = self.runtime.set_m_groups(&groups);
     }
 
     /// A regular end: what is kept while the power is off is saved.
     pub fn power_off(&mut self) {
         self.control.save_backup(self.runtime.memory());
+    }
+
+    /// The power is switched off in good order: MODULE_DONE, waiting at most five seconds of PLC time for its end, then what is
+    /// kept is saved. A program that the debugger holds goes on to there without break-points.
+    pub fn shut_down(&mut self, events: &mut Vec<RuntimeEvent>) {
+        self.runtime.set_breakpoints(&[]);
+        self.runtime.command(Command::StopPlc { power_off: true });
+        for _ in 0..LAST_CYCLES {
+            if !self.runtime.state().is_cycling() {
+                break;
+            }
+            if self.runtime.stopped().is_some() {
+                self.runtime.resume(Resume::Continue);
+            }
+            self.cycle(events);
+        }
+        self.power_off();
     }
 
     /// Input ports as the PLC will see them.
@@ -165,10 +201,14 @@ impl Simulation {
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
             self.plant.place_axes(self.control.motion());
+            self.plant.connect(&self.control, self.runtime.memory());
             for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take(event);
             }
-            self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
+            self.plant.tell(&mut self.control);
+            let shorted = self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]);
+            let reported = self.control.reported(shorted, self.runtime.memory());
+            self.runtime.set_shorted(&reported);
             self.hand_over_blocks();
         }
         let (first, waiting) = (events.len(), self.runtime.waiting_blocks());
@@ -181,7 +221,17 @@ impl Simulation {
             self.power_off();
         }
         self.follow_blocks(&events[first..], waiting);
+        self.show(&events[first..]);
         outcome
+    }
+
+    /// Messages reach the operator.
+    fn show(&mut self, events: &[RuntimeEvent]) {
+        for event in events {
+            if let RuntimeEvent::Message { cycle, number, sub_id, set, parameters, .. } = *event {
+                self.control.report(Shown { number, sub_id, parameters, cycle }, set);
+            }
+        }
     }
 
     /// Milliseconds up to the end of the 20 ms cycle in progress, or until the program is held or no longer
@@ -220,6 +270,11 @@ impl Simulation {
                 return;
             }
             PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
+            PlantEvent::Panel { key, pressed } => {
+                // Its axis was checked with the machine.
+                let _ = self.control.motion_mut().panel_key(key, pressed);
+                return;
+            }
             PlantEvent::Start => Command::ContinueBlock,
             PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };
@@ -229,6 +284,10 @@ impl Simulation {
     fn hand_over_blocks(&mut self) {
         while self.runtime.waiting_blocks() < LOOK_AHEAD {
             let Some(block) = self.waiting.pop_front() else { return };
+            if block.ends_program() {
+                let next = self.waiting.iter().position(|block| block.has(BlockFlag::First));
+                self.waiting.drain(..next.unwrap_or(self.waiting.len()));
+            }
             self.runtime.command(Command::StartBlock(block));
         }
     }

@@ -13,7 +13,9 @@ cargo xtask TASK
   generate [--check]  write the files derived from the catalogue (with --check: fail when one is stale)
   test                formatting, lints, all tests, stale generated files, the editors' tests
   bench               all benchmarks; docs/design/performance.md says how to read them
-  fuzz [MINUTES]      looks for texts that break the front end (30 minutes); needs cargo-fuzz
+  fuzz [TARGET] [MINUTES]
+                      looks for inputs that break something: front_end (the default), image, machine, scenario;
+                      30 minutes; needs cargo-fuzz
   package             the VS Code extension as a .vsix
 ";
 
@@ -48,8 +50,7 @@ fn main() -> ExitCode {
         ["generate", "--check"] => generate::generate(true),
         ["test"] => test::test(),
         ["bench"] => bench(),
-        ["fuzz"] => fuzz::fuzz(None),
-        ["fuzz", minutes] => fuzz::fuzz(Some(minutes)),
+        ["fuzz", words @ ..] => fuzz::fuzz(words),
         ["package"] => test::package(),
         _ => {
             eprint!("{USAGE}");

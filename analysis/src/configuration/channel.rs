@@ -1,7 +1,11 @@
 //! What the PLC program takes from a `*.ChannelConfig`.
 
+use technol_image::system::m_group;
+
+use super::cross::logical;
 use super::document::{Document, Element, Text};
 use super::duplicates;
+use super::places;
 use super::problem::Problem;
 use super::schema::ValueKind;
 use super::validate;
@@ -20,6 +24,8 @@ pub struct Channel {
     pub connections: Vec<Connection>,
     /// Serial ports.
     pub ports: Vec<SerialPort>,
+    /// M functions with a group of their own.
+    pub m_functions: Vec<MFunction>,
 }
 
 /// `Input`, `Output`, `AnalogInput`, `AnalogOutput`.
@@ -39,10 +45,27 @@ pub struct Point {
     pub default: String,
     /// `Connected`; `None` when it is left out.
     pub connected: Option<bool>,
+    /// Conversion of an analogue one.
+    pub conversion: Conversion,
+    /// Where its port or channel is given, or else its name.
+    pub place: Span,
     /// Its name in the text.
     pub name: Span,
     /// Comment behind it.
     pub note: String,
+}
+
+/// `Scale`, `Offset` and limits; what is no number counts as left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conversion {
+    /// Factor; 1 when it is left out.
+    pub scale: f64,
+    /// Shift; 0 when it is left out.
+    pub offset: f64,
+    /// Smallest value.
+    pub min: Option<f64>,
+    /// Largest value.
+    pub max: Option<f64>,
 }
 
 /// `PlcParam`.
@@ -82,6 +105,8 @@ pub struct Connection {
     pub invert: Option<Span>,
     /// Place of `Scale` or `Offset`.
     pub scale: Option<Span>,
+    /// `Scale` and `Offset`.
+    pub conversion: Conversion,
     /// `Connected`; `None` when it is left out.
     pub connected: Option<bool>,
     /// Its name.
@@ -97,6 +122,17 @@ pub struct SerialPort {
     pub place: Text,
     /// It is in use.
     pub active: bool,
+}
+
+/// `MFunc`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MFunction {
+    /// Which.
+    pub number: i64,
+    /// Its group, 1 to 14.
+    pub group: i64,
+    /// `No`.
+    pub place: Text,
 }
 
 impl ParameterKind {
@@ -149,6 +185,9 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
             ("PlcParam", Some("Plc")) => channel.parameters.extend(parameter(element, problems)),
             ("Connection", Some("Connections")) => channel.connections.extend(connection(element)),
             ("ComChannel", _) => channel.ports.extend(port(element)),
+            ("MFunc" | "MFuncs", Some("MFunctions")) => {
+                channel.m_functions.extend(m_function(element, problems));
+            }
             _ => {}
         }
     }
@@ -164,6 +203,11 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
     let parameters = channel.parameters.iter().map(|it| (it.id.text.as_str(), &it.id));
     duplicates::find(parameters, "identifier", problems);
     duplicates::find(channel.ports.iter().map(|it| (it.number, &it.place)), "number", problems);
+    let connected = channel.connections.iter().filter(|it| it.connected == Some(true));
+    let destinations = connected.map(|it| (logical::normal(&it.destination.text), &it.destination));
+    duplicates::find(destinations, "destination", problems);
+    places::check(&channel.points, problems);
+    duplicates::find(channel.m_functions.iter().map(|it| (it.number, &it.place)), "number", problems);
     channel
 }
 
@@ -178,9 +222,26 @@ fn point(kind: ConfigElement, element: &Element) -> Option<Point> {
         invert: number("Invert") == 1,
         default: element.attribute("Default").map(|it| it.text.clone()).unwrap_or_default(),
         connected: element.attribute("Connected").map(|it| it.integer() == Some(1)),
+        conversion: conversion(element),
+        place: element
+            .attribute(if analog { "PhysNo" } else { "Port" })
+            .map_or(element.name.span, |it| it.span),
         name: element.name.span,
         note: element.note.clone(),
     })
+}
+
+fn conversion(element: &Element) -> Conversion {
+    let number = |name: &str| {
+        let number = element.attribute(name)?.text.trim().parse::<f64>().ok()?;
+        number.is_finite().then_some(number)
+    };
+    Conversion {
+        scale: number("Scale").unwrap_or(1.0),
+        offset: number("Offset").unwrap_or(0.0),
+        min: number("MinVal"),
+        max: number("MaxVal"),
+    }
 }
 
 /// An attribute that is there and not empty.
@@ -211,6 +272,7 @@ fn connection(element: &Element) -> Option<Connection> {
         destination: identifier(element, "Destination")?,
         invert: given("Invert", &[0.0]),
         scale: given("Scale", &[1.0]).or_else(|| given("Offset", &[0.0])),
+        conversion: conversion(element),
         connected: element.attribute("Connected").map(|it| it.integer() == Some(1)),
         name: element.name.span,
     })
@@ -220,6 +282,25 @@ fn port(element: &Element) -> Option<SerialPort> {
     let place = identifier(element, "No")?;
     let active = element.attribute("Active").and_then(Text::integer) == Some(1);
     Some(SerialPort { number: place.integer()?, place, active })
+}
+
+/// One that has a fixed group cannot be moved out of it (8.3.5); what is wrong with one number alone was reported before.
+fn m_function(element: &Element, problems: &mut Vec<Problem>) -> Option<MFunction> {
+    let place = identifier(element, "No")?;
+    let number = place.integer()?;
+    let group = element.attribute("GroupNo");
+    let fixed = u8::try_from(number).ok().and_then(m_group).map(i64::from);
+    let (Some(text), Some(own)) = (group, fixed) else {
+        let group = group.map_or(Some(fixed.unwrap_or(14)), Text::integer)?;
+        return Some(MFunction { number, group, place });
+    };
+    let group = text.integer()?;
+    if group != own {
+        let message = format!("M{number:02} belongs to group {own} and cannot be moved to group {group}");
+        problems.push(Problem::new(&rules::WRONG_CONFIGURATION_VALUE, text.span, message));
+        return None;
+    }
+    Some(MFunction { number, group, place })
 }
 
 /// `MinVal` above `MaxVal`: nothing would pass.

@@ -1,8 +1,10 @@
 //! What a run prints: values, registers, messages, the fault.
 
 use serde_json::{Map, Value as Json, json};
+use technol_analysis::configuration::control_text;
 use technol_analysis::expression::{Target, Value};
 use technol_image::{DebugInfo, Program};
+use technol_machine::Shown;
 use technol_runtime::{Fault, RuntimeEvent};
 use technol_target::Simulation;
 
@@ -102,8 +104,42 @@ impl Run<'_> {
                 "DR_REAL": real(registers.dr_real),
             },
             "messages": messages,
+            "screen": self.screen(),
             "fault": runtime.fault().map(|fault| self.fault_json(fault)),
         })
+    }
+
+    /// What the operator sees at the end: messages to be confirmed, the list of persistent ones.
+    fn screen(&self) -> Json {
+        let board = self.simulation.control().board();
+        let told = |shown: &Shown| {
+            json!({
+                "number": shown.number,
+                "subId": shown.sub_id,
+                "cycle": shown.cycle,
+                "text": self.text(shown),
+            })
+        };
+        json!({
+            "transient": board.transient().map(told).collect::<Vec<_>>(),
+            "persistent": board.persistent().map(told).collect::<Vec<_>>(),
+        })
+    }
+
+    fn text(&self, shown: &Shown) -> String {
+        let text = control_text(&shown.text(self.simulation.control().data()));
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    fn human_screen(&self, paint: Paint) {
+        let board = self.simulation.control().board();
+        let line = |what: &str, shown: &Shown| {
+            let sub_id = shown.sub_id.map_or_else(String::new, |id| format!(".{id}"));
+            let number = paint.yellow(format!("PLC{:05}{sub_id}", shown.number));
+            say!("{}", format!("  {what:<12}  {number}  {}", self.text(shown)).trim_end());
+        };
+        board.transient().for_each(|shown| line("to confirm", shown));
+        board.persistent().for_each(|shown| line("listed", shown));
     }
 
     fn mechanism(&self, fault: &Fault) -> Option<&str> {
@@ -138,6 +174,7 @@ impl Run<'_> {
                 paint.dim(format!("{file}:{line}"))
             );
         }
+        self.human_screen(paint);
         let width = wanted.names.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
         for (name, target) in &wanted.names {
             let value = self.value(*target).map_or_else(|| "no value".to_owned(), |v| v.to_string());

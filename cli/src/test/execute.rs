@@ -178,6 +178,11 @@ impl<'a> Run<'a> {
                 self.simulation.runtime_mut().command(Command::StopPlc { power_off: *power_off });
             }
             Action::CentralAnnulment => self.simulation.start_block(block_of_annulment()),
+            Action::Acknowledge => {
+                if self.simulation.control_mut().acknowledge().is_none() {
+                    return failed("a message to acknowledge".to_owned(), "the screen shows none".to_owned());
+                }
+            }
             Action::Clear => self.simulation.runtime_mut().command(Command::ClearPlc),
             Action::Halt => self.simulation.runtime_mut().command(Command::Halt),
             Action::Fault { name, on } => {
@@ -292,12 +297,36 @@ impl<'a> Run<'a> {
                 let any = self.messages.open().next().is_some();
                 any.then(|| problem("no message", format!("shown: {}", self.open())))
             }
+            Check::Screen(_) | Check::Listed { .. } | Check::NothingListed => self.check_shown(check),
             Check::PlcFault(text) => {
                 let fault = self.simulation.runtime().fault().map(|fault| self.history.fault(fault));
                 let right = fault.as_ref().is_some_and(|fault| fault.contains(text));
                 let actual = fault.unwrap_or_else(|| "no fault".to_owned());
                 (!right).then(|| problem(&format!("a fault of the PLC: {text}"), actual))
             }
+        }
+    }
+
+    /// What the operator sees.
+    fn check_shown(&self, check: &Check) -> Option<Problem> {
+        let board = self.simulation.control().board();
+        let told = |number: Option<u32>| number.map_or("none".to_owned(), |number| number.to_string());
+        let listed = || {
+            let numbers: Vec<String> = board.persistent().map(|it| it.number.to_string()).collect();
+            format!("listed: {}", if numbers.is_empty() { "none".to_owned() } else { numbers.join(", ") })
+        };
+        match *check {
+            Check::Screen(wanted) => {
+                let actual = board.transient().next().map(|it| it.number);
+                let expected = format!("message to acknowledge: {}", told(wanted));
+                (actual != wanted).then(|| problem(&expected, told(actual)))
+            }
+            Check::Listed { number, listed: wanted } => {
+                let wrong = board.persistent().any(|it| it.number == number) != wanted;
+                let not = if wanted { "" } else { "not " };
+                wrong.then(|| problem(&format!("message {number} is {not}listed"), listed()))
+            }
+            _ => board.persistent().next().map(|_| problem("no listed message", listed())),
         }
     }
 

@@ -48,7 +48,7 @@ impl Machines {
     }
 
     /// A machine as it would be read from a file.
-    #[cfg(test)]
+    #[cfg(any(test, feature = "fuzzing"))]
     pub(super) fn add(&mut self, file: &Path, config: MachineConfig) {
         let choice = Choice { file: Some(file.to_owned()), part_program: true };
         self.list.push((choice, Machine::of(config).expect("the machine is right")));

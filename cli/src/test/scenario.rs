@@ -68,6 +68,8 @@ pub(super) enum Action {
         power_off: bool,
     },
     CentralAnnulment,
+    /// The operator confirms the message on the screen.
+    Acknowledge,
     /// MODULE_CLEAR.
     Clear,
     /// A fatal error of the control: MODULE_HALT.
@@ -98,6 +100,7 @@ impl Action {
             Action::Start { cold: false } => "start, warm".to_owned(),
             Action::Stop { .. } => "stop".to_owned(),
             Action::CentralAnnulment => "central annulment".to_owned(),
+            Action::Acknowledge => "acknowledge".to_owned(),
             Action::Clear => "clear".to_owned(),
             Action::Halt => "halt".to_owned(),
             Action::Fault { name, on: true } => format!("fault {name}"),
@@ -141,6 +144,15 @@ pub(super) enum Check {
     Message(u32),
     NoMessage(u32),
     NoMessages,
+    /// The transient message that the operator has to confirm.
+    Screen(Option<u32>),
+    /// In the list of persistent messages, or not.
+    Listed {
+        number: u32,
+        listed: bool,
+    },
+    /// That list is empty.
+    NothingListed,
     /// The program faulted, and the text of the fault holds this.
     PlcFault(String),
 }

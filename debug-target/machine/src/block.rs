@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
+use crate::signal::{InputImage, OutputImage, Signal};
 
 /// How a block is started.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -57,7 +57,11 @@ pub struct BlockExtra {
     pub flags: Vec<BlockFlag>,
     /// Spindle speed in rev/min.
     pub speed: Option<f64>,
-    /// Feed in mm/min.
+    /// Constant cutting speed in m/min.
+    pub cutting_speed: Option<f64>,
+    /// Largest spindle speed at constant cutting speed in rev/min.
+    pub speed_limit: Option<f64>,
+    /// Feed in mm/min, or in mm/rev.
     pub feed: Option<f64>,
     /// Largest feed in mm/min.
     pub feed_max: Option<f64>,
@@ -86,7 +90,7 @@ pub struct BlockStart {
     pub t: Option<u32>,
     /// H function.
     pub h: Option<u8>,
-    /// Duration of its movement in milliseconds.
+    /// Duration of its movement in milliseconds, when it has no targets.
     pub motion_ms: u32,
     /// Rapid traverse.
     pub rapid: bool,
@@ -95,6 +99,9 @@ pub struct BlockStart {
     /// The rest.
     pub extra: Box<BlockExtra>,
 }
+
+/// The farthest target in mm.
+const FARTHEST: f64 = 1e6;
 
 /// What starts a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,9 +123,14 @@ impl Program {
     /// Groups blocks: one without a trigger of its own belongs to the one before it.
     pub(crate) fn compile(blocks: &[config::Block], compiler: &mut Compiler<'_>) -> Vec<Program> {
         let mut programs: Vec<Program> = Vec::new();
+        let mut known = Known::default();
         for (index, block) in blocks.iter().enumerate() {
             compiler.enter("block", Some(index));
             check_ranges(block, compiler);
+            if block.at_cycle.is_some() || block.on.is_some() {
+                known = Known::default();
+            }
+            known.check(block, compiler);
             let trigger = match (block.at_cycle, &block.on) {
                 (Some(_), Some(_)) => {
                     compiler.error("on", "cannot be combined with `at-cycle`");
@@ -158,12 +170,7 @@ impl Program {
     }
 
     /// The blocks to start in this millisecond.
-    pub(crate) fn step(
-        &mut self,
-        millis: u64,
-        outputs: &[u8; OUTPUT_PORTS],
-        inputs: &[u8; INPUT_PORTS],
-    ) -> &[BlockStart] {
+    pub(crate) fn step(&mut self, millis: u64, outputs: &OutputImage, inputs: &InputImage) -> &[BlockStart] {
         let starts = match self.trigger {
             Trigger::AtCycle(cycle) => millis.is_multiple_of(20) && millis / 20 == cycle,
             Trigger::Rising(signal) => {
@@ -176,6 +183,28 @@ impl Program {
             }
         };
         if starts { &self.blocks } else { &[] }
+    }
+}
+
+/// What the blocks of a program have programmed so far.
+#[derive(Default)]
+struct Known {
+    feed: bool,
+    cutting_speed: bool,
+}
+
+impl Known {
+    /// Whether a block has what its movement needs.
+    fn check(&mut self, block: &config::Block, compiler: &mut Compiler<'_>) {
+        self.feed |= block.feed.is_some_and(|feed| feed > 0.0);
+        self.cutting_speed |= block.cutting_speed.is_some_and(|speed| speed > 0.0);
+        if !block.axes.is_empty() && !block.rapid && !self.feed {
+            compiler.error("axes", "needs `feed`, here or in a block before it, or `rapid = true`");
+        }
+        if block.flags.contains(&BlockFlag::ConstCutSpeed) && !self.cutting_speed {
+            compiler
+                .error("flags", "\"const-cut-speed\" needs `cutting-speed`, here or in a block before it");
+        }
     }
 }
 
@@ -200,6 +229,26 @@ fn check_ranges(block: &config::Block, compiler: &mut Compiler<'_>) {
     if block.axes.iter().any(|(axis, _)| *axis > 15) {
         compiler.error("axes", "NC axes go from 0 to 15");
     }
+    if block.axes.iter().any(|(_, target)| target.is_nan() || target.abs() > FARTHEST) {
+        compiler.error("axes", "targets go from -1000000 to 1000000 mm");
+    }
+    let twice = |(n, (axis, _)): (usize, &(u8, f64))| block.axes[..n].iter().any(|(other, _)| other == axis);
+    if block.axes.iter().enumerate().any(twice) {
+        compiler.error("axes", "has an axis twice");
+    }
+    if block.motion_ms > 0 && !block.axes.is_empty() {
+        compiler.error("motion-ms", "cannot be combined with `axes`, whose movement takes its own time");
+    }
+    for (key, value) in [
+        ("speed", block.speed),
+        ("cutting-speed", block.cutting_speed),
+        ("speed-limit", block.speed_limit),
+        ("feed", block.feed),
+    ] {
+        if value.is_some_and(|value| value.is_nan() || value < 0.0) {
+            compiler.error(key, "must not be negative");
+        }
+    }
 }
 
 fn start(block: &config::Block) -> BlockStart {
@@ -216,6 +265,8 @@ fn start(block: &config::Block) -> BlockStart {
             last: false,
             flags: block.flags.clone(),
             speed: block.speed,
+            cutting_speed: block.cutting_speed,
+            speed_limit: block.speed_limit,
             feed: block.feed,
             feed_max: block.feed_max,
             length: block.length_mm,

@@ -4,7 +4,9 @@ use alloc::string::String;
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::motion::PanelKey;
+use crate::plant::PlantEvent;
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Key {
@@ -12,6 +14,7 @@ pub(crate) struct Key {
     input: Option<InputBit>,
     invert: bool,
     command: Option<i32>,
+    panel: Option<PanelKey>,
     pub(crate) pressed: bool,
     /// As the control saw it last.
     seen: bool,
@@ -20,22 +23,28 @@ pub(crate) struct Key {
 impl Key {
     pub(crate) fn compile(config: &config::Key, compiler: &mut Compiler<'_>) -> Key {
         let input = config.input.as_ref().and_then(|name| compiler.driven("input", name));
-        if config.input.is_none() && config.command.is_none() {
-            compiler.error("", "needs `input` or `command`, else it does nothing");
+        if config.input.is_none() && config.command.is_none() && config.panel.is_none() {
+            compiler.error("", "needs `input`, `command` or `panel`, else it does nothing");
         }
-        let (invert, command) = (config.invert, config.command);
-        Key { name: config.name.clone(), input, invert, command, pressed: false, seen: false }
+        if let Some(panel) = config.panel {
+            panel.check(compiler);
+        }
+        let (invert, command, panel) = (config.invert, config.command, config.panel);
+        Key { name: config.name.clone(), input, invert, command, panel, pressed: false, seen: false }
     }
 
-    pub(crate) fn step(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&self, inputs: &mut InputImage) {
         if let Some(input) = self.input {
             input.set(inputs, self.pressed != self.invert);
         }
     }
 
-    /// Its command, and whether the key went down, when that changed.
-    pub(crate) fn command(&mut self) -> Option<(i32, bool)> {
-        let changed = core::mem::replace(&mut self.seen, self.pressed) != self.pressed;
-        self.command.filter(|_| changed).map(|code| (code, self.pressed))
+    /// What it tells the control when it was pressed or released since the last look.
+    pub(crate) fn events(&mut self) -> impl Iterator<Item = PlantEvent> + use<> {
+        let pressed = self.pressed;
+        let changed = core::mem::replace(&mut self.seen, pressed) != pressed;
+        let command = self.command.map(|code| PlantEvent::Command { code, pressed });
+        let panel = self.panel.map(|key| PlantEvent::Panel { key, pressed });
+        command.into_iter().chain(panel).filter(move |_| changed)
     }
 }

@@ -8,6 +8,7 @@
 
 extern crate alloc;
 
+mod analog;
 mod block;
 mod compile;
 pub mod config;
@@ -35,13 +36,14 @@ pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
 pub use control::{
-    CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, Column, ControlData, Conversion, EcatSlave, EcatState,
-    ElementError, ElementValue, EtherCat, Licences, SERIAL_QUEUE, SerialPort, Shared, SimulatedControl,
-    Table, Value, ValueKind,
+    Analog, CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, ChannelWiring, Column, Connection, ControlData,
+    Conversion, EcatSlave, EcatState, ElementError, ElementValue, EtherCat, Licences, Mapping, MessageBoard,
+    MessageKind, MessageText, Physical, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl, Table,
+    Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};
-pub use settings::{ControlSettings, SpindleGear};
+pub use settings::ControlSettings;
 pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
 pub use wiring::{Wire, Wiring, wiring};

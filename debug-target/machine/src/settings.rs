@@ -9,22 +9,11 @@ use crate::compile::Compiler;
 use crate::config::MachineConfig;
 use crate::drive::{Watch, World};
 
-/// A gear of the first spindle; M41 to M44 choose one of the first four.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SpindleGear {
-    /// Largest speed in rev/min.
-    pub max_speed: u32,
-    /// Spindle value at that speed, 0..=7FFFh.
-    pub max_output: u16,
-}
-
 /// Settings of the control.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ControlSettings {
     /// M functions and their groups.
     pub m_groups: Vec<(u8, u8)>,
-    /// Gears of the first spindle, lowest first.
-    pub gears: Vec<SpindleGear>,
     /// M01 stops.
     pub conditional_stop: bool,
 }
@@ -97,14 +86,8 @@ pub(crate) fn settings(config: &MachineConfig, compiler: &mut Compiler<'_>) -> C
             compiler.error("number", "has a group already");
         }
     }
-    let spindle = config.spindle.iter().find(|spindle| spindle.number == 1);
-    let gears = spindle.map_or(&[][..], |spindle| &spindle.gear);
     ControlSettings {
         m_groups: config.m_function.iter().map(|function| (function.number, function.group)).collect(),
-        gears: gears
-            .iter()
-            .map(|gear| SpindleGear { max_speed: gear.max_speed, max_output: gear.max_output })
-            .collect(),
         conditional_stop: config.control.conditional_stop,
     }
 }

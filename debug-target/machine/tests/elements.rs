@@ -247,15 +247,10 @@ fn keys_tell_their_commands_and_the_control_has_keys_of_its_own() {
 
 #[test]
 fn settings_of_the_control() {
-    let toml = "[control]\nconditional-stop=true\n[[m-function]]\nnumber=91\ngroup=10\n\
-                [[spindle]]\nport=5\ngear=[{max-speed=400},{max-speed=800,max-output=26869}]";
+    let toml = "[control]\nconditional-stop=true\n[[m-function]]\nnumber=91\ngroup=10";
     let plant = plant(toml);
     let control = plant.control();
     assert_eq!(control.m_groups, [(91, 10)]);
-    assert_eq!(
-        control.gears.iter().map(|g| (g.max_speed, g.max_output)).collect::<Vec<_>>(),
-        [(400, 32767), (800, 26869)]
-    );
     assert!(control.conditional_stop);
 }
 
@@ -301,14 +296,16 @@ fn what_is_wrong_is_named_with_its_place() {
         "slide[0].initially-mm: must lie on the way, from 0 to `stroke-mm`",
         "slide[0].switches: `at` must lie on the way, from 0 to `stroke-mm`, `width` not be negative",
         "slide[1]: needs `switches` or `position`, else nothing can be seen of it",
-        "key[0]: needs `input` or `command`, else it does nothing",
+        "key[0]: needs `input`, `command` or `panel`, else it does nothing",
         "fault[0].element: no element is called `gate`; there is `door`",
         "fault[1].stuck: only a contact or a latch can be stuck; use `jammed = true`",
         "fault[2].slow: must be 2 to 1000: how many times as long everything takes",
         "fault[3]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with \
-         `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
+         `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`; `slave` \
+         with `lost = true`, `cut = true` or `error`; `can-drive` with `lost = true` or `error`; `can` with `cut = true`",
         "block[0].integers: a block has five parameters of each kind",
         "block[0].axes: NC axes go from 0 to 15",
+        "block[0].axes: needs `feed`, here or in a block before it, or `rapid = true`",
         "control.start: names no signal",
         "m-function[0].number: M functions go from 0 to 99",
         "m-function[0].group: must be 1 to 14",

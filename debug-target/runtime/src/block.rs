@@ -9,9 +9,10 @@ use core::fmt;
 use technol_image::op::BitRef;
 use technol_image::system;
 
-use crate::m_functions::{self, Gear, Groups};
+use crate::control::{AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Control};
+use crate::m_functions::{self, Groups};
 use crate::memory::Memory;
-use crate::prepared::{self, BlockFlag, BlockReal, Prepared};
+use crate::prepared::{self, BLOCK_AXES, BlockFlag, BlockReal, Prepared};
 
 /// Blocks that wait for their turn.
 pub(crate) const QUEUE_LEN: usize = 16;
@@ -41,7 +42,8 @@ pub struct Block {
     pub s: Option<u16>,
     /// H function, 0..=99.
     pub h: Option<u8>,
-    /// The movement takes this many milliseconds; 0 is a block without movement.
+    /// The movement takes this many milliseconds; 0 is a block without movement. It does not count where the control
+    /// moves axes to the targets of the block.
     pub motion_ms: u32,
     /// Rapid traverse: G00PI.
     pub rapid: bool,
@@ -52,12 +54,24 @@ pub struct Block {
 }
 
 impl Block {
-    fn has(&self, flag: BlockFlag) -> bool {
+    /// It has this property.
+    #[must_use]
+    pub fn has(&self, flag: BlockFlag) -> bool {
         self.prepared.as_ref().is_some_and(|prepared| prepared.flags.has(flag))
     }
 
     fn is_stop(&self, conditional: bool) -> bool {
         self.m.iter().any(|m| *m == 0 || *m == 1 && conditional)
+    }
+
+    /// M02 or M30: the part program ends here.
+    #[must_use]
+    pub fn ends_program(&self) -> bool {
+        self.m.iter().any(|m| matches!(m, 2 | 30))
+    }
+
+    fn has_targets(&self) -> bool {
+        self.prepared.as_ref().is_some_and(|prepared| prepared.axes.iter().any(Option::is_some))
     }
 }
 
@@ -70,6 +84,8 @@ pub enum Rejection {
     QueueFull,
     /// An M or H function above 99, T above 99999999 or S above 7FFFh.
     OutOfRange,
+    /// It moves axes, not by rapid traverse, and no block has programmed a feed. The part program ends with it.
+    NoFeed,
 }
 
 impl fmt::Display for Rejection {
@@ -77,6 +93,9 @@ impl fmt::Display for Rejection {
         f.write_str(match self {
             Rejection::NotRunning => "the PLC is not running; start it first",
             Rejection::QueueFull => "16 blocks are waiting already; wait until one has finished",
+            Rejection::NoFeed => {
+                "a block with targets has no feed; program a feed in it or before it, or rapid traverse"
+            }
             Rejection::OutOfRange => "a function is out of range (M and H 0..99, T 8 digits, S 0..32767)",
         })
     }
@@ -95,6 +114,17 @@ pub(crate) enum Stage {
     Closing,
 }
 
+/// How the block in progress moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Movement {
+    /// For a time.
+    Time,
+    /// To its targets, as soon as their axes are free.
+    Wanted,
+    /// To its targets; the control has the axes.
+    Taken,
+}
+
 /// A start that was requested and not yet carried out (manual 8.1.13).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Start {
@@ -110,7 +140,6 @@ pub(crate) struct BlockCycle {
     pub(crate) stage: Stage,
     pub(crate) queue: VecDeque<Block>,
     pub(crate) groups: Groups,
-    pub(crate) gears: Vec<Gear>,
     /// M01 stops.
     pub(crate) conditional_stop: bool,
     start: Option<Start>,
@@ -124,8 +153,14 @@ pub(crate) struct BlockCycle {
     backward: bool,
     /// The last block was finished.
     finished: bool,
+    /// The part program ends with the block in progress.
+    ends_program: bool,
     /// Movement of the block in progress.
+    movement: Movement,
     motion_ms: u32,
+    rapid: bool,
+    targets: [Option<f64>; BLOCK_AXES],
+    per_revolution: bool,
     /// A stop was taken: the movement holds.
     pub(crate) stopped: bool,
     /// STOPPI at the last look.
@@ -138,7 +173,6 @@ impl BlockCycle {
             stage: Stage::Idle,
             queue: VecDeque::with_capacity(QUEUE_LEN),
             groups: Groups::new(),
-            gears: Vec::new(),
             conditional_stop: false,
             start: None,
             running: false,
@@ -146,7 +180,12 @@ impl BlockCycle {
             stop_behind: false,
             backward: false,
             finished: false,
+            ends_program: false,
+            movement: Movement::Time,
             motion_ms: 0,
+            rapid: false,
+            targets: [None; BLOCK_AXES],
+            per_revolution: false,
             stopped: false,
             stop_seen: false,
         }
@@ -170,14 +209,21 @@ impl BlockCycle {
 
     /// A block was queued. True when that is the start of a program, which `_ON_EVENT` is to be asked about first.
     pub(crate) fn request_start(&mut self, memory: &mut Memory) -> bool {
-        let idle = self.stage == Stage::Idle && !self.running && !self.queue.is_empty();
-        self.request(idle.then_some(Start::Program), memory)
+        // What waits behind a stop waits for the START key, also when more of the program comes.
+        let waits = memory.flag(system::PO_STOP) && self.queue.len() > 1;
+        self.request((self.is_idle() && !waits).then_some(Start::Program), memory)
     }
 
-    /// The START key after a stop: of the PLC in a block, or of M00 behind one. True as in
-    /// [`request_start`](Self::request_start).
-    pub(crate) fn request_restart(&mut self, memory: &mut Memory) -> bool {
-        if self.stopped { self.request(Some(Start::Again), memory) } else { self.request_start(memory) }
+    fn is_idle(&self) -> bool {
+        self.stage == Stage::Idle && !self.running && !self.queue.is_empty()
+    }
+
+    /// The START key after a stop: in a block, behind one (M00), or of something else that the control holds. True as
+    /// in [`request_start`](Self::request_start).
+    pub(crate) fn request_restart(&mut self, held: bool, memory: &mut Memory) -> bool {
+        let again = self.stopped || held;
+        let start = if again { Some(Start::Again) } else { self.is_idle().then_some(Start::Program) };
+        self.request(start, memory)
     }
 
     fn request(&mut self, start: Option<Start>, memory: &mut Memory) -> bool {
@@ -203,7 +249,7 @@ impl BlockCycle {
     }
 
     /// Takes the next block over into the block cells. False when there is none or no program was started.
-    pub(crate) fn begin(&mut self, memory: &mut Memory) -> bool {
+    pub(crate) fn begin(&mut self, memory: &mut Memory, control: &mut dyn Control) -> bool {
         if !self.running {
             return false;
         }
@@ -225,13 +271,54 @@ impl BlockCycle {
         memory.set_flag(system::REFPI, block.mode == BlockMode::Reference);
         memory.set_flag(system::G00PI, block.rapid);
         memory.set_flag(system::G33PI, block.has(BlockFlag::Thread));
-        self.write_functions(&block, memory);
+        self.write_functions(&block, memory, control);
+        self.ends_program = block.ends_program();
         self.motion_ms = block.motion_ms;
+        self.rapid = block.rapid;
+        self.per_revolution = block.has(BlockFlag::RevFeed);
+        self.targets = block.prepared.as_ref().map_or([None; BLOCK_AXES], |prepared| prepared.axes);
+        self.movement = if block.has_targets() { Movement::Wanted } else { Movement::Time };
         self.stage = Stage::Preparing;
+        if !self.lacks_feed(memory) {
+            self.take_axes(memory, control);
+        }
         true
     }
 
-    fn write_functions(&mut self, block: &Block, memory: &mut Memory) {
+    /// It should move its axes by a feed that nobody has programmed.
+    pub(crate) fn lacks_feed(&self, memory: &Memory) -> bool {
+        self.movement == Movement::Wanted && !self.rapid && prepared::feed(memory) <= 0.0
+    }
+
+    /// The control takes the axes of the block, as soon as they are free.
+    pub(crate) fn take_axes(&mut self, memory: &mut Memory, control: &mut dyn Control) {
+        if self.movement != Movement::Wanted {
+            return;
+        }
+        let motion = BlockMotion {
+            targets: &self.targets,
+            feed: prepared::feed(memory),
+            per_revolution: self.per_revolution,
+            rapid: self.rapid,
+        };
+        match control.take_axes(&motion, memory.bytes_mut()) {
+            AxesOfBlock::Busy => {}
+            AxesOfBlock::None => {
+                self.movement = Movement::Time;
+                if let Stage::Moving { left_ms } = &mut self.stage {
+                    *left_ms = self.motion_ms;
+                }
+            }
+            AxesOfBlock::Taken => {
+                self.movement = Movement::Taken;
+                if matches!(self.stage, Stage::Moving { .. }) {
+                    control.release_axes();
+                }
+            }
+        }
+    }
+
+    fn write_functions(&mut self, block: &Block, memory: &mut Memory, control: &mut dyn Control) {
         for m in &block.m {
             let group = self.groups.of(*m);
             m_functions::write(memory, *m, group);
@@ -246,31 +333,59 @@ impl BlockCycle {
             m_functions::write_h(memory, h);
         }
         let programmed = block.prepared.as_ref().and_then(|p| p.value(BlockReal::SpindleSpeed));
-        let speed = prepared::spindle_speed(memory);
-        if self.automatic_gear && (programmed.is_some() || block.m.contains(&40)) && speed > 0.0 {
-            m_functions::choose_gear(memory, &self.gears, speed);
-        }
-        let computed = || programmed.and_then(|speed| m_functions::spindle_value(memory, &self.gears, speed));
-        if let Some(value) = block.s.or_else(computed) {
+        let cutting = block.has(BlockFlag::ConstCutSpeed).then(|| prepared::cutting_speed(memory));
+        let spindle = BlockSpindle {
+            programmed,
+            speed: prepared::spindle_speed(memory),
+            automatic_gear: self.automatic_gear,
+            gear_programmed: block.m.contains(&40),
+            cutting_speed: cutting,
+            speed_limit: prepared::spindle_speed_limit(memory),
+        };
+        control.block_spindle(&spindle, memory.bytes_mut());
+        if let Some(value) = block.s {
             m_functions::write_spindle(memory, value);
         }
     }
 
     /// Preparation is over: the movement is released.
-    pub(crate) fn release(&mut self, memory: &mut Memory) {
-        self.stage = Stage::Moving { left_ms: self.motion_ms };
-        memory.set_flag(system::INPOS, self.motion_ms == 0 || self.stopped);
+    pub(crate) fn release(&mut self, memory: &mut Memory, control: &mut dyn Control) {
+        let timed = self.movement == Movement::Time;
+        self.stage = Stage::Moving { left_ms: if timed { self.motion_ms } else { 0 } };
+        if self.movement == Movement::Taken {
+            control.release_axes();
+        }
+        self.tell_position(memory, control);
     }
 
     /// The movement is at its end and not held.
-    pub(crate) fn arrived(&self) -> bool {
-        self.stage == Stage::Moving { left_ms: 0 } && !self.stopped
+    pub(crate) fn arrived(&self, control: &dyn Control) -> bool {
+        self.stage == Stage::Moving { left_ms: 0 }
+            && !self.stopped
+            && match self.movement {
+                Movement::Time => true,
+                Movement::Wanted => false,
+                Movement::Taken => control.block_way() == BlockWay::Arrived,
+            }
+    }
+
+    /// The control has given the movement up.
+    pub(crate) fn lost(&self, control: &dyn Control) -> bool {
+        matches!(self.stage, Stage::Moving { .. })
+            && !self.stopped
+            && self.movement == Movement::Taken
+            && control.block_way() == BlockWay::Lost
+    }
+
+    /// INPOS: no axis moves, and no movement that only takes its time.
+    pub(crate) fn tell_position(&self, memory: &mut Memory, control: &dyn Control) {
+        let timed = matches!(self.stage, Stage::Moving { left_ms } if left_ms > 0) && !self.stopped;
+        memory.set_flag(system::INPOS, !timed && control.in_position());
     }
 
     /// Closing functions begin.
     pub(crate) fn close(&mut self, memory: &mut Memory) {
         self.stage = Stage::Closing;
-        memory.set_flag(system::INPOS, true);
         memory.set_flag(system::PO_POL, true);
     }
 
@@ -285,14 +400,30 @@ impl BlockCycle {
 
     /// The block is finished. True when the program stops behind it: M00, or M01 where that counts.
     pub(crate) fn finish(&mut self, memory: &mut Memory) -> bool {
+        let was_stopped = self.stopped;
         self.end(memory);
         self.finished = true;
-        let stops = self.stop_behind && !self.queue.is_empty();
-        self.running &= !stops && !self.queue.is_empty();
+        if self.ends_program {
+            self.end_program(memory);
+            return false;
+        }
+        let stops = self.stop_behind && !self.queue.is_empty() && !was_stopped;
+        self.running &= !stops && !was_stopped && !self.queue.is_empty();
         if stops {
             memory.set_flag(system::PO_STOP, true);
         }
         stops
+    }
+
+    /// M02, M30: what is left of the program is forgotten. A program behind it goes on.
+    fn end_program(&mut self, memory: &mut Memory) {
+        while self.queue.front().is_some_and(|block| !block.has(BlockFlag::First)) {
+            self.queue.pop_front();
+        }
+        self.running = !self.queue.is_empty();
+        if !self.running {
+            self.forget(memory);
+        }
     }
 
     /// The status of the control as far as blocks make it (manual 8.3.6).
@@ -328,7 +459,6 @@ impl BlockCycle {
         self.stage = Stage::Idle;
         self.stopped = false;
         memory.set_flag(system::PO_F, false);
-        memory.set_flag(system::INPOS, true);
         memory.set_flag(system::BLOCK_RESTART, false);
         memory.set_byte(system::STATUS_RESTART, 0);
         m_functions::clear_one_block(memory);
@@ -357,15 +487,21 @@ impl BlockCycle {
         }
     }
 
-    /// Stops what is running: the movement holds, queued blocks are forgotten. False when nothing was running.
+    /// Stops what is running: the movement holds, and queued blocks wait. A start that is only requested is
+    /// withdrawn, with the program it was for unless that waits behind M00. False when nothing was running.
     pub(crate) fn stop(&mut self, memory: &mut Memory) -> bool {
-        self.forget(memory);
+        let withdrawn = self.start.take() == Some(Start::Program);
         if self.stage == Stage::Idle {
-            return false;
+            if withdrawn && !memory.flag(system::PO_STOP) {
+                self.forget(memory);
+            }
+            if !self.running || self.queue.is_empty() {
+                return false;
+            }
+            self.running = false;
         }
-        self.stopped = true;
+        self.stopped = self.stage != Stage::Idle;
         memory.set_flag(system::PO_STOP, true);
-        memory.set_flag(system::INPOS, true);
         true
     }
 
@@ -377,15 +513,14 @@ impl BlockCycle {
             Stage::Idle => 0,
             Stage::Preparing => 1,
             Stage::Moving { .. } => 2,
-            Stage::Closing => 3,
+            Stage::Closing => 4,
         };
         memory.set_flag(system::PO_STOP, false);
-        memory.set_flag(system::BLOCK_RESTART, true);
         memory.set_byte(system::STATUS_RESTART, stage);
-        if matches!(self.stage, Stage::Moving { left_ms } if left_ms > 0) {
-            memory.set_flag(system::INPOS, false);
+        if self.stage != Stage::Idle {
+            memory.set_flag(system::BLOCK_RESTART, true);
+            prepared::mark_partial(memory);
         }
-        prepared::mark_partial(memory);
     }
 }
 

@@ -3,13 +3,12 @@
 //! The runtime computes; everything else a program can ask for (mapped inputs, tables, buses, axes …) it asks of a
 //! [`Control`]. The simulated one is in `technol-machine`.
 
-use alloc::vec::Vec;
-
 use technol_image::op::{Addr, Place, Width};
 use technol_image::service::{Arg, Service};
 
 use crate::fault::FaultKind;
 use crate::memory::Memory;
+use crate::prepared::BLOCK_AXES;
 use crate::registers::{Registers, mask, sign_extend};
 
 /// How often something is copied between the program and the control.
@@ -45,6 +44,70 @@ pub struct ControlCall {
     pub procedure: u16,
     /// DR at its start.
     pub dr: i64,
+}
+
+/// What holds the axes that the control moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Hold {
+    /// Nothing: they go on.
+    #[default]
+    Go,
+    /// STOP.
+    Stop,
+    /// Emergency stop: by the steepest ramps.
+    Emergency,
+}
+
+/// What a block says about the spindle. PB11 and PB12, and the gear of M40, are the control's to write.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BlockSpindle {
+    /// A speed that the block programs, in rev/min.
+    pub programmed: Option<f64>,
+    /// The speed in force, in rev/min: that of this block, or of one before it.
+    pub speed: f64,
+    /// M40 is in force: the gear follows the speed.
+    pub automatic_gear: bool,
+    /// This block programs M40.
+    pub gear_programmed: bool,
+    /// Constant cutting speed (G96) in mm/min; `None`: the speed counts (G97).
+    pub cutting_speed: Option<f64>,
+    /// Largest speed at constant cutting speed in rev/min; 0: that of the gear.
+    pub speed_limit: f64,
+}
+
+/// Where a block moves its axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlockMotion<'a> {
+    /// Targets of the NC axes, X first: absolute, in mm.
+    pub targets: &'a [Option<f64>; BLOCK_AXES],
+    /// Feed in mm/min; with `per_revolution` in mm/rev.
+    pub feed: f64,
+    /// G95.
+    pub per_revolution: bool,
+    /// Rapid traverse.
+    pub rapid: bool,
+}
+
+/// What the control answers when a block asks for its axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AxesOfBlock {
+    /// It has no axes: the block takes the time it says ([`Block::motion_ms`](crate::Block::motion_ms)).
+    None,
+    /// An axis is not free. It is asked again in the next cycle.
+    Busy,
+    /// They wait for the release.
+    Taken,
+}
+
+/// How the axes of a block stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BlockWay {
+    /// On their way, or held.
+    Moving,
+    /// At their targets, within the tolerance.
+    Arrived,
+    /// The control had to give the movement up; only central annulment ends the block.
+    Lost,
 }
 
 /// The control around a program. Every method is called from [`Runtime::tick_with`](crate::Runtime::tick_with), on its thread;
@@ -88,6 +151,45 @@ pub trait Control {
     /// The PLC starts: what the program declared before is forgotten. `cold`: everything is as at power-on.
     fn start(&mut self, cold: bool) {
         let _ = cold;
+    }
+
+    /// A block was taken over; its functions are in the block cells. The control writes the spindle value and chooses the gear.
+    fn block_spindle(&mut self, spindle: &BlockSpindle, memory: &mut [u8]) {
+        let _ = (spindle, memory);
+    }
+
+    /// A block with targets was taken over: the control takes the axes and tells the program which ones; they wait.
+    fn take_axes(&mut self, motion: &BlockMotion<'_>, memory: &mut [u8]) -> AxesOfBlock {
+        let _ = (motion, memory);
+        AxesOfBlock::None
+    }
+
+    /// The preparatory functions are through: the axes that were taken may move.
+    fn release_axes(&mut self) {}
+
+    /// How the axes that were taken stand. Asked in each cycle after their release.
+    fn block_way(&self) -> BlockWay {
+        BlockWay::Arrived
+    }
+
+    /// No axis moves or has a position error above its tolerance: INPOS. Asked in each millisecond.
+    fn in_position(&self) -> bool {
+        true
+    }
+
+    /// STOP or emergency stop, or the start after it; it concerns whatever the control moves by itself.
+    fn hold(&mut self, hold: Hold) {
+        let _ = hold;
+    }
+
+    /// Something waits for a start since [`hold`](Control::hold).
+    fn is_held(&self) -> bool {
+        false
+    }
+
+    /// The block was broken off, or the PLC ends: its axes stop, and nothing is held any more.
+    fn end_block(&mut self, memory: &mut [u8]) {
+        let _ = memory;
     }
 
     /// After a cold start has cleared memory and before MODULE_INIT: what is kept while the power is off comes back.
@@ -319,14 +421,32 @@ impl Call<'_> {
     /// Writes a text and its end mark into the buffer at operand `n`; what does not fit is cut.
     ///
     /// # Errors
-    /// BX leads outside memory.
+    /// BX leads outside memory; then nothing is written.
     pub fn store_text(&mut self, n: usize, text: &[u8]) -> Result<(), FaultKind> {
         let Some((addr, len)) = self.area(n)? else { return Ok(()) };
-        let room = (len as usize).saturating_sub(1).min(text.len());
-        let mut bytes: Vec<u8> = text[..room].to_vec();
-        bytes.push(0);
-        bytes.truncate(len as usize);
-        self.write(addr, &bytes)
+        let Some(room) = len.checked_sub(1) else { return Ok(()) };
+        let text = &text[..text.len().min(room as usize)];
+        self.bytes(addr, text.len() as u32 + 1)?;
+        self.write(addr, text)?;
+        self.write(addr + text.len() as Addr, &[0])
+    }
+
+    /// Copies the first `len` bytes of operand `from`, a text, memory or the bytes of a literal, to an address, also where the two
+    /// overlap. Of an operand that is shorter so many as it has.
+    ///
+    /// # Errors
+    /// They do not all lie in memory; then nothing is written.
+    pub fn copy(&mut self, addr: Addr, from: usize, len: usize) -> Result<(), FaultKind> {
+        let args = self.args;
+        if let Some(Arg::Text(bytes)) = args.get(from) {
+            return self.write(addr, &bytes[..bytes.len().min(len)]);
+        }
+        let Some((source, room)) = self.area(from)? else { return Ok(()) };
+        let len = len.min(room as usize);
+        self.bytes(source, len as u32)?;
+        self.bytes(addr, len as u32)?;
+        self.memory.copy(source as usize, addr as usize, len);
+        Ok(())
     }
 
     /// RLO.

@@ -46,12 +46,15 @@ mod trace;
 mod validate;
 
 pub use block::{Block, BlockMode, Rejection};
-pub use control::{Call, Control, ControlCall, ControlMessage, NoControl, Rate};
+pub use control::{
+    AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, Hold,
+    NoControl, Rate,
+};
 pub use debugger::{BreakpointError, Frame, Resume, Stop, StopReason};
 pub use event::{Command, PlcState, RateKind, RuntimeEvent};
 pub use fault::{Fault, FaultKind};
 pub use load_error::{LoadError, LoadItem};
-pub use m_functions::{Gear, GroupError};
+pub use m_functions::GroupError;
 pub use memory::AccessError;
 pub use plan::PeriodError;
 pub use ports::{InputImage, OutputImage};

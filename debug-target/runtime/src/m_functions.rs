@@ -61,15 +61,6 @@ impl Groups {
     }
 }
 
-/// A gear of the spindle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Gear {
-    /// Largest speed in rev/min.
-    pub max_speed: u32,
-    /// Spindle value for that speed, 0..=7FFFh.
-    pub max_output: u16,
-}
-
 /// Gears that M41 to M44 choose.
 const GEARS: u8 = 4;
 
@@ -146,25 +137,6 @@ fn select_gear(memory: &mut Memory, gear: u8) {
     for n in 0..GEARS {
         memory.set_flag(gear_bit(n), n == gear);
     }
-}
-
-/// Chooses the lowest gear that reaches `speed`, else the highest one (M40, automatic gear).
-pub(crate) fn choose_gear(memory: &mut Memory, gears: &[Gear], speed: f64) {
-    let reaches = |gear: &Gear| f64::from(gear.max_speed) >= speed;
-    let last = gears.len().min(usize::from(GEARS)).checked_sub(1);
-    let Some(chosen) = gears.iter().position(reaches).or(last).map(|n| n as u8) else { return };
-    if !memory.flag(gear_bit(chosen)) {
-        select_gear(memory, chosen);
-        memory.set_flag(change_bit(3), true);
-    }
-}
-
-/// The spindle value for `speed` in the gear that is chosen; `None` without one.
-pub(crate) fn spindle_value(memory: &Memory, gears: &[Gear], speed: f64) -> Option<u16> {
-    let chosen = (0..GEARS).find(|n| memory.flag(gear_bit(*n)))?;
-    let gear = gears.get(usize::from(chosen)).filter(|gear| gear.max_speed > 0)?;
-    let output = speed / f64::from(gear.max_speed) * f64::from(gear.max_output);
-    Some((output as u16).min(gear.max_output))
 }
 
 /// Writes T as eight BCD digits, low byte first.

@@ -190,6 +190,21 @@ pub(crate) fn spindle_speed(memory: &Memory) -> f64 {
     memory.real(at(0) + BlockReal::SpindleSpeed.offset())
 }
 
+/// Feed of the block in progress.
+pub(crate) fn feed(memory: &Memory) -> f64 {
+    memory.real(at(0) + BlockReal::FeedProgr.offset())
+}
+
+/// Constant cutting speed of the block in progress in mm/min.
+pub(crate) fn cutting_speed(memory: &Memory) -> f64 {
+    memory.real(at(0) + BlockReal::ConstCuttingSpeed.offset())
+}
+
+/// Largest spindle speed at constant cutting speed in rev/min; 0 for none.
+pub(crate) fn spindle_speed_limit(memory: &Memory) -> f64 {
+    memory.real(at(0) + BlockReal::SpindleSpeedLimit.offset())
+}
+
 /// Brings a member of the block whose number is in BX to the place where it is read.
 pub(crate) fn select(memory: &mut Memory, bx: u32, offset: u16, len: u8) {
     let len = usize::from(len);

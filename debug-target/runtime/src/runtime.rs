@@ -20,7 +20,7 @@ use crate::event::{Command, PlcState};
 use crate::execute::Machine;
 use crate::fault::Fault;
 use crate::load_error::LoadError;
-use crate::m_functions::{Gear, GroupError, Groups};
+use crate::m_functions::{GroupError, Groups};
 use crate::memory::{AccessError, Memory};
 use crate::plan::{PeriodError, PlanKind, Plans};
 use crate::ports::OutputImage;
@@ -219,11 +219,6 @@ impl Runtime {
     pub fn set_m_groups(&mut self, groups: &[(u8, u8)]) -> Result<(), GroupError> {
         self.block.groups = Groups::with(groups)?;
         Ok(())
-    }
-
-    /// The gears of the spindle, lowest first; M41 to M44 choose one, M40 leaves that to the programmed speed.
-    pub fn set_gears(&mut self, gears: &[Gear]) {
-        self.block.gears = gears.to_vec();
     }
 
     /// M01 stops the program like M00.

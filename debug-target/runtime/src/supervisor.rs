@@ -10,7 +10,7 @@ use technol_image::system;
 use crate::block::{QUEUE_LEN, Rejection, Stage};
 use crate::code::{is_stoppable, module_of};
 use crate::context::{Context, Root};
-use crate::control::{Control, ControlMessage, NoControl, Rate};
+use crate::control::{Control, ControlMessage, Hold, NoControl, Rate};
 use crate::debugger::{Line, StopReason, module_and_file};
 use crate::event::{Command, PlcState, RateKind, RuntimeEvent};
 use crate::execute::{Exit, World, run, run_watched};
@@ -70,7 +70,7 @@ impl Runtime {
         }
         while let Some(position) = self.position {
             let Some(job) = self.plans.job(position.plan, position.step) else {
-                self.position = self.finish_plan(position.plan, world.events).map(at_start);
+                self.position = self.finish_plan(position.plan, world).map(at_start);
                 continue;
             };
             if self.perform(job, inputs, world) == Progress::Stopped {
@@ -109,10 +109,9 @@ impl Runtime {
     }
 
     fn act(&mut self, command: Command, world: &mut World<'_>) -> Option<PlanKind> {
-        let events = &mut *world.events;
         match command {
             Command::StartPlc { cold } => {
-                self.start(cold, events);
+                self.start(cold, world);
                 world.control.start(cold);
                 if cold {
                     world.control.power_on(self.machine.memory.bytes_mut());
@@ -121,12 +120,12 @@ impl Runtime {
             }
             Command::StopPlc { power_off } => {
                 if self.state == PlcState::Stopping {
-                    self.enter_stopped(events);
+                    self.enter_stopped(world.events);
                 } else if self.state.is_cycling() {
-                    self.abort_block(events);
+                    self.abort_block(world);
                     self.machine.done_seen = 0;
                     self.entry_dr = i64::from(!power_off);
-                    self.set_state(PlcState::Stopping, events);
+                    self.set_state(PlcState::Stopping, world.events);
                     return Some(PlanKind::Done);
                 }
             }
@@ -139,13 +138,13 @@ impl Runtime {
                     Err(Rejection::NotRunning)
                 };
                 if let Err(rejection) = accepted {
-                    events.push(RuntimeEvent::BlockRejected(rejection));
+                    world.events.push(RuntimeEvent::BlockRejected(rejection));
                 } else if self.block.request_start(&mut self.machine.memory) {
                     self.queue_event(system::event::START_REQ);
                 }
             }
             Command::ContinueBlock => {
-                if self.block.request_restart(&mut self.machine.memory) {
+                if self.block.request_restart(world.control.is_held(), &mut self.machine.memory) {
                     self.queue_event(system::event::START_REQ);
                 }
             }
@@ -156,7 +155,7 @@ impl Runtime {
             Command::AbortBlock => {
                 self.machine.memory.set_flag(system::AUTPI, false);
                 self.machine.memory.set_flag(system::CAPI, true);
-                self.abort_block(events);
+                self.abort_block(world);
             }
             Command::Event(code) => self.queue_event(code),
             Command::PlcCommand { code, pressed } => self.queue_call(PlcEvent::Command { code, pressed }),
@@ -165,14 +164,15 @@ impl Runtime {
     }
 
     /// A plan is complete. Returns the plan that follows in the same millisecond.
-    fn finish_plan(&mut self, plan: PlanKind, events: &mut Vec<RuntimeEvent>) -> Option<PlanKind> {
+    fn finish_plan(&mut self, plan: PlanKind, world: &mut World<'_>) -> Option<PlanKind> {
+        if plan == PlanKind::Halt {
+            self.abort_block(world);
+        }
+        let events = &mut *world.events;
         match plan {
             PlanKind::Init | PlanKind::Done => self.settle(events),
             PlanKind::Clear | PlanKind::Held => {}
-            PlanKind::Halt => {
-                self.abort_block(events);
-                self.set_state(PlcState::Halted, events);
-            }
+            PlanKind::Halt => self.set_state(PlcState::Halted, events),
             PlanKind::Fast => {
                 self.report_overrun(RateKind::Fast, self.limits.per_fast, events);
                 if self.machine.millis.is_multiple_of(20) {
@@ -214,14 +214,14 @@ impl Runtime {
         }
     }
 
-    fn start(&mut self, cold: bool, events: &mut Vec<RuntimeEvent>) {
+    fn start(&mut self, cold: bool, world: &mut World<'_>) {
         if cold {
             self.initialise_memory();
         }
         if let Some(hidden) = self.program.region(RegionKind::Hidden) {
             self.machine.memory.fill(hidden.start as usize, hidden.len as usize, 0);
         }
-        self.abort_block(events);
+        self.abort_block(world);
         self.machine.memory.set_flag(system::INPOS, true);
         self.machine.millis = 0;
         self.machine.init_seen = 0;
@@ -238,7 +238,7 @@ impl Runtime {
         self.debugger.step = None;
         self.debugger.focus = Line::Main;
         self.entry_dr = i64::from(!cold);
-        self.set_state(PlcState::Starting, events);
+        self.set_state(PlcState::Starting, world.events);
     }
 
     /// Content of memory when a program is loaded and at a cold start.
@@ -302,6 +302,7 @@ impl Runtime {
                     ports::copy_input(memory, inputs, *port);
                 }
                 world.control.inputs(Rate::Fast, millis, memory.bytes_mut());
+                self.block.tell_position(memory, world.control);
             }
             Job::FastOutputs => {
                 world.control.outputs(Rate::Fast, millis, memory.bytes_mut());
@@ -320,7 +321,7 @@ impl Runtime {
             }
             Job::Calls => return self.run_calls(world),
             Job::Events => return self.run_events(world),
-            Job::StopRequests => self.take_stop_request(),
+            Job::StopRequests => self.take_stop_request(world),
         }
         Progress::Done
     }
@@ -423,12 +424,20 @@ impl Runtime {
     /// Block cycle: as far as it comes in this cycle.
     fn run_block(&mut self, world: &mut World<'_>) -> Progress {
         if self.block.take_start(&mut self.machine.memory) {
+            world.control.hold(Hold::Go);
+            self.block.tell_position(&mut self.machine.memory, world.control);
             self.queue_event(system::event::START);
         }
+        self.block.take_axes(&mut self.machine.memory, world.control);
         loop {
             match self.block.stage {
                 Stage::Idle => {
-                    if !self.block.begin(&mut self.machine.memory) {
+                    if !self.block.begin(&mut self.machine.memory, world.control) {
+                        return Progress::Done;
+                    }
+                    if self.block.lacks_feed(&self.machine.memory) {
+                        world.events.push(RuntimeEvent::BlockRejected(Rejection::NoFeed));
+                        self.abort_block(world);
                         return Progress::Done;
                     }
                     world.events.push(RuntimeEvent::BlockStarted { cycle: self.cycle() });
@@ -441,10 +450,13 @@ impl Runtime {
                     if self.is_active(SequenceKind::BlockInit) {
                         return Progress::Done;
                     }
-                    self.block.release(&mut self.machine.memory);
+                    self.block.release(&mut self.machine.memory, world.control);
                 }
                 Stage::Moving { .. } => {
-                    if !self.block.arrived() {
+                    if self.block.lost(world.control) {
+                        self.stop_block(Hold::Stop, world);
+                    }
+                    if !self.block.arrived(world.control) {
                         return Progress::Done;
                     }
                     self.block.close(&mut self.machine.memory);
@@ -492,7 +504,8 @@ impl Runtime {
     }
 
     /// Breaks the block in progress, rewinds the block modules and forgets queued blocks.
-    fn abort_block(&mut self, events: &mut Vec<RuntimeEvent>) {
+    fn abort_block(&mut self, world: &mut World<'_>) {
+        world.control.end_block(self.machine.memory.bytes_mut());
         if !self.block.abort(&mut self.machine.memory) {
             return;
         }
@@ -501,16 +514,23 @@ impl Runtime {
                 sequence::rest(&self.program, &mut self.machine, number);
             }
         }
-        events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
+        world.events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
     }
 
-    fn take_stop_request(&mut self) {
+    fn take_stop_request(&mut self, world: &mut World<'_>) {
         if let Some(code) = self.block.take_stop_request(&mut self.machine.memory) {
             self.queue_event(code);
-            if self.block.stop(&mut self.machine.memory) {
-                self.queue_event(system::event::STOP);
-            }
+            let emergency = code == system::event::STOP_EMERGENCY_REQ;
+            self.stop_block(if emergency { Hold::Emergency } else { Hold::Stop }, world);
         }
+    }
+
+    fn stop_block(&mut self, hold: Hold, world: &mut World<'_>) {
+        world.control.hold(hold);
+        if self.block.stop(&mut self.machine.memory) {
+            self.queue_event(system::event::STOP);
+        }
+        self.block.tell_position(&mut self.machine.memory, world.control);
     }
 
     fn queue_event(&mut self, code: i64) {

@@ -35,13 +35,16 @@ fn copy(call: &mut Call<'_>, text: bool) -> Result<(), FaultKind> {
     let source = if text { call.text(1)?.unwrap_or_default() } else { call.content(1)? };
     let asked = wanted.unwrap_or(usize::MAX).min(room);
     let taken = source.len().min(asked);
-    // The source may lie inside the target, so the bytes are taken out first.
-    let mut bytes = source[..taken].to_vec();
     let ended = source.len() <= asked && wanted.is_none_or(|wanted| source.len() < wanted);
-    if text && len > 0 && (ended || taken == room && wanted.is_none()) {
-        bytes.push(0);
-    }
-    call.write(addr, &bytes)
+    let marked = text && len > 0 && (ended || taken == room && wanted.is_none());
+    put(call, addr, taken, marked)
+}
+
+/// So many bytes of operand 1, and an end mark behind them. The end mark comes last: the source may lie inside the target.
+fn put(call: &mut Call<'_>, addr: Addr, taken: usize, marked: bool) -> Result<(), FaultKind> {
+    call.bytes(addr, taken as u32 + u32::from(marked))?;
+    call.copy(addr, 1, taken)?;
+    if marked { call.write(addr + taken as Addr, &[0]) } else { Ok(()) }
 }
 
 /// STRADD: behind the text that is there, cut at the end of the target.
@@ -49,12 +52,8 @@ fn append(call: &mut Call<'_>) -> Result<(), FaultKind> {
     let Some((addr, len)) = call.area(0)? else { return Ok(()) };
     let room = (len as usize).saturating_sub(1);
     let used = call.text(0)?.map_or(0, <[u8]>::len).min(room);
-    let source = call.text(1)?.unwrap_or_default();
-    let mut bytes = source[..source.len().min(room - used)].to_vec();
-    if len > 0 {
-        bytes.push(0);
-    }
-    call.write(addr + used as Addr, &bytes)
+    let taken = call.text(1)?.map_or(0, <[u8]>::len).min(room - used);
+    put(call, addr + used as Addr, taken, len > 0)
 }
 
 /// STRCMP and MEMCMP: RLO tells equality. Without `num` a text is compared with its end mark, bytes to the length of the second
@@ -84,17 +83,15 @@ fn digits(call: &mut Call<'_>, bcd: bool) -> Result<(), FaultKind> {
     let mut number = (call.dr() & mask(width)).cast_unsigned();
     let base = if bcd { 16 } else { 10 };
     let count = (len as usize).saturating_sub(1);
-    let mut bytes = alloc::vec![b'0'; count];
-    for digit in bytes.iter_mut().rev() {
-        let value = (number % base) as u8;
-        if value > 9 {
-            return Err(FaultKind::BcdRange);
-        }
-        *digit = b'0' + value;
+    call.bytes(addr, len)?;
+    // All digits are looked at before one is written.
+    let bad = (0..count.min(8)).any(|n| (number >> (4 * n)) & 15 > 9);
+    if bcd && bad {
+        return Err(FaultKind::BcdRange);
+    }
+    for n in (0..count).rev() {
+        call.write(addr + n as Addr, &[b'0' + (number % base) as u8])?;
         number /= base;
     }
-    if len > 0 {
-        bytes.push(0);
-    }
-    call.write(addr, &bytes)
+    if len > 0 { call.write(addr + count as Addr, &[0]) } else { Ok(()) }
 }

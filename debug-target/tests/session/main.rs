@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used)] // tests
 
 mod host;
+#[cfg(unix)]
+mod lines;
 mod places;
 mod program;
 
@@ -36,6 +38,7 @@ fn options(clock: Clock) -> TargetOptions {
         name: "start".into(),
         input: Some("P2IN.0".into()),
         command: None,
+        panel: None,
         invert: false,
     });
     machine.fault.push(technol_machine::config::Fault {

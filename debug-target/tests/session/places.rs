@@ -111,7 +111,7 @@ pub(crate) mod serial {
         _devices: [OwnedFd; 2],
     }
 
-    fn terminal() -> (File, OwnedFd, String) {
+    pub(crate) fn terminal() -> (File, OwnedFd, String) {
         let pty = openpty(None, None).unwrap();
         let mut raw = tcgetattr(&pty.slave).unwrap();
         cfmakeraw(&mut raw);

@@ -1,6 +1,6 @@
 //! The part-program block as the program sees it: functions (manual 8.2) and prepared blocks (8.3).
 
-use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Gear, Prepared};
+use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared};
 
 use crate::plc::Plc;
 
@@ -38,7 +38,7 @@ fn three() -> [Block; 3] {
         m: vec![3, 77],
         t: Some(300),
         h: Some(6),
-        motion_ms: 1000,
+        rapid: true,
         prepared: Some(Box::new(prepared)),
         ..Block::default()
     };
@@ -205,10 +205,11 @@ fn numbers_of_the_block_have_their_cells() {
 
 #[test]
 fn m40_chooses_the_gear_for_the_speed() {
-    let mut plc =
-        Plc::of("LDR M41PI / WR O0 / LDR M42PI / WR O1 / LDR ZMM3PI / WR O2 / LOD BLK[0].REAL.SpindleSpeed");
-    let gear = |max_speed| Gear { max_speed, max_output: 0x7FFF };
-    plc.runtime().set_gears(&[gear(200), gear(900)]);
+    let mut plc = Plc::before(
+        "[[spindle]]\ngear = [{ max-speed = 200 }, { max-speed = 900 }]",
+        "LDR M41PI / WR O0 / LDR M42PI / WR O1 / LDR ZMM3PI / WR O2 / LOD BLK[0].REAL.SpindleSpeed",
+    );
+    plc.run(1);
     for (m, speed, then) in [
         (vec![40], 630.0, "O0=0 O1=1 O2=1 DR_REAL=630.0"),
         (vec![], 120.0, "O0=1 O1=0 O2=1 DR_REAL=120.0"),

@@ -20,6 +20,9 @@ fn the_demonstration_runs_through_and_is_plain_in_a_pipe() {
         let line = lathe.line("spindle.plc", "TIM  CNT_DEAD,T_DEAD");
         assert!(out.contains(&format!("spindle.plc:{line}")), "{out}");
     }
+    let file = lathe.path("memory.bin");
+    run(&["demo", &lathe.path(""), "--backup", &file]).ok();
+    assert_eq!(std::fs::read(file).expect("the memory is kept").len(), 10_000);
     run(&["demo", &lathe.path("nowhere")]).failed(2, &["nowhere", "examples/lathe"]);
     lathe.edit("spindle.plc", "LDR  SP_REQ_STOP ", "LDR  NOBODY ");
     run(&["demo", &lathe.path("")]).failed(1, &["1 error"]);

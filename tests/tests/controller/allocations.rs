@@ -37,9 +37,10 @@ fn a_cycle_of_the_lathe_asks_for_no_memory() {
     assert!(others.is_empty(), "(cycle, allocations) {others:?}");
 }
 
-/// The part program begins in cycle 100; the keys `start` and `acknowledge` start a block each.
+/// The part program begins in cycle 100; the keys `start` and `acknowledge` start a block each, and `stop`, which is the STOP of
+/// the control, is told to the host in a list as blocks are.
 fn starts_block(cycle: u64) -> bool {
-    cycle == 100 || [430, 1000, 610, 905, 1340, 1950].contains(&(cycle % 2_011))
+    cycle == 100 || [430, 1000, 610, 905, 1180, 1340, 1950].contains(&(cycle % 2_011))
 }
 
 const DATA: Addr = system::LEN;
@@ -185,4 +186,36 @@ fn memory_of_the_target_for_the_lathe_is_far_below_four_mebibytes() {
     let image = bytes.len();
     println!("lathe: image {image} bytes, most memory in use {} bytes", info.bytes_max);
     assert!(info.bytes_max + (image as u64) < 1 << 20, "{info:?}");
+}
+
+/// The program of all families, with something at the other end of each.
+fn families() -> technol_target::Simulation {
+    let mut simulation =
+        technol_target::Simulation::new(crate::families::program(), None).expect("it can be loaded");
+    crate::families::furnish(&mut simulation);
+    simulation.start(true);
+    simulation
+}
+
+#[test]
+fn a_cycle_with_instructions_of_every_family_asks_for_no_memory() {
+    let mut simulation = families();
+    let mut events = Vec::with_capacity(EVENTS);
+    // MODULE_INIT declares: what it says is kept.
+    simulation.cycle(&mut events);
+    let mut messages = 0;
+    for cycle in 1..400_u32 {
+        // The other side of the buses is the host's.
+        crate::families::feed(&mut simulation, cycle);
+        events.clear();
+        let info = measure(|| {
+            simulation.cycle(&mut events);
+        });
+        messages += events.len();
+        assert_eq!(info.count_total, 0, "allocations in cycle {cycle}");
+    }
+    assert_eq!(simulation.runtime().fault(), None);
+    assert_eq!(simulation.runtime().state(), PlcState::Running);
+    assert!(messages > 1_000, "{messages} messages");
+    crate::families::happened(&mut simulation);
 }

@@ -3,6 +3,8 @@
 
 mod allocations;
 mod bare;
+#[path = "../common/families.rs"]
+mod families;
 mod from_c;
 mod lathe;
 mod same_again;

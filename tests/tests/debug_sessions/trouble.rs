@@ -173,6 +173,66 @@ fn a_fault_of_the_program_stops_at_its_line_and_leaves_everything_readable() {
     assert!(why.contains("fault") && why.contains("restart"), "{why}");
 }
 
+/// The line that faults (one of these), what is said, the lines of the mechanism and those behind it.
+const MISUSES: &[(&str, &str, &str)] = &[
+    (" DIVB ZERO", "division by zero", "LOD VALUE / DIVB ZERO"),
+    (" BIN", "BCD", "LOD CNST.0FFh / BIN"),
+    (" EQ CNST.0| JL1 AGAIN| LOD ZERO", "endless loop", "AGAIN: / LOD ZERO / EQ CNST.0 / JL1 AGAIN"),
+    // The index leads out of memory.
+    (
+        " STO BYTE.VALUE[BX]",
+        "outside PLC memory",
+        "LOD CNST.8000h / MOV BX,CX / RL 8 / MOV EBX,80000000h / STO BYTE.VALUE[BX]",
+    ),
+    // It leads into the cells in which a mechanism keeps where it is: the next pass finds nonsense there.
+    (
+        "MECH_BEGIN WORKER",
+        "continuation",
+        "EX // MOV EBX,0 / LOOP: / LOD CNST.0FFh / STO BYTE.ZERO[BX] / INC EBX / CMP EBX,20 / JB LOOP",
+    ),
+];
+
+#[test]
+fn whatever_a_program_misuses_is_told_with_file_line_and_mechanism_and_the_target_lives_on() {
+    for (faulty, said, lines) in MISUSES {
+        let folder = tempfile::tempdir().expect("a folder");
+        let indented = |lines: &str| lines.split(" / ").map(indented).collect::<Vec<_>>().join("\n");
+        let (within, behind) = lines.split_once(" // ").unwrap_or((lines, "NOP"));
+        let main =
+            format!("MECH_BEGIN WORKER\n EX\n{}\nMECH_END WORKER\n{}", indented(within), indented(behind));
+        let source = program("VALUE: DS 2\nZERO: DS 2", &main, " LOD CNST.77\n STO VALUE\n FL 1,WORKER");
+        let path = folder.path().join("misuse.plc");
+        std::fs::write(&path, &source).expect("written");
+        let places = source.lines().zip(1..).filter(|(line, _)| faulty.split('|').any(|one| one == *line));
+        let places: Vec<String> = places.map(|(_, n)| format!("misuse.plc:{n}")).collect();
+
+        let mut adapter = Adapter::start();
+        let launch = json!({ "program": path, "target": "embedded", "clock": "virtual" });
+        adapter.client.start(launch, &[]).unwrap_or_else(|e| panic!("{said}: {e}"));
+        let mut mark = Mark::START;
+        // The second time after a restart: it is the same fault, in the same target.
+        for _ in 0..2 {
+            let stop = adapter.client.event(mark, "stopped").unwrap_or_else(|e| panic!("{said}: {e}"));
+            assert_eq!(stop["reason"], "exception", "{said}: {stop}");
+            let thread = stop["threadId"].as_i64().expect("a thread");
+            let info =
+                adapter.client.request("exceptionInfo", json!({ "threadId": thread })).expect("the reason");
+            let text = info["description"].as_str().expect("a text");
+            assert!(text.contains(said) && text.contains("WORKER"), "{said}: {text}");
+            assert!(places.iter().any(|place| text.contains(place.as_str())), "{places:?}: {text}");
+            let value = adapter.client.evaluate("VALUE", "watch").expect("readable");
+            assert!(value.starts_with("77 ") || *said == "continuation", "{said}: {value}");
+            mark = adapter.client.mark();
+            adapter.client.request("restart", json!({})).unwrap_or_else(|e| panic!("{said}: {e}"));
+        }
+    }
+}
+
+/// Labels and mechanisms stand in the first column, instructions behind it.
+fn indented(line: &str) -> String {
+    if line.ends_with(':') { line.to_owned() } else { format!(" {line}") }
+}
+
 #[test]
 fn a_server_that_is_no_target_is_recognised_within_seconds() {
     let lathe = Lathe::copy();

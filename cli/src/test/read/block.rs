@@ -15,6 +15,8 @@ const BLOCK: &[&str] = &[
     "rapid",
     "mode",
     "speed",
+    "cutting-speed",
+    "speed-limit",
     "feed",
     "feed-max",
     "length-mm",
@@ -82,9 +84,12 @@ fn extra(table: &DeTable<'_>, source: &mut Source<'_>) -> BlockExtra {
         value
     };
     BlockExtra {
-        first: false,
-        last: false,
+        // Each is a program of its own.
+        first: true,
+        last: true,
         speed: single("speed"),
+        cutting_speed: single("cutting-speed"),
+        speed_limit: single("speed-limit"),
         feed: single("feed"),
         feed_max: single("feed-max"),
         length: single("length-mm"),

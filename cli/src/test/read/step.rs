@@ -15,6 +15,7 @@ const STEP: &[&str] = &[
     "start",
     "stop",
     "central-annulment",
+    "acknowledge",
     "clear",
     "halt",
     "press",
@@ -34,6 +35,9 @@ const STEP: &[&str] = &[
     "state",
     "message",
     "no-message",
+    "screen",
+    "listed",
+    "not-listed",
     "plc-fault",
 ];
 /// The longest time a step may take: an hour.
@@ -65,6 +69,7 @@ impl Reader<'_> {
                     step.checks.extend(numbers.into_iter().map(|number| Check::Message(number as u32)));
                 }
                 "no-message" => step.checks.extend(no_messages(entry.node, source)),
+                "screen" | "listed" | "not-listed" => step.checks.extend(shown(&entry, source)),
                 "plc-fault" => {
                     let text = source.text(entry.node, "`plc-fault` is a part of the fault's text: it");
                     step.checks.extend(text.map(|text| Check::PlcFault(text.to_owned())));
@@ -96,8 +101,9 @@ impl Reader<'_> {
                 let off = one_of(node, "stop", &[("command", false), ("power-off", true)], source);
                 actions.extend(off.map(|power_off| Action::Stop { power_off }));
             }
-            "central-annulment" | "clear" | "halt" => {
+            "central-annulment" | "acknowledge" | "clear" | "halt" => {
                 let action = match entry.key {
+                    "acknowledge" => Action::Acknowledge,
                     "clear" => Action::Clear,
                     "halt" => Action::Halt,
                     _ => Action::CentralAnnulment,
@@ -280,6 +286,26 @@ fn no_messages(node: &Node<'_>, source: &mut Source<'_>) -> Vec<Check> {
     }
     let numbers = source.numbers(node, "`no-message` is true, or a number: it", u64::from(u32::MAX));
     numbers.into_iter().map(|number| Check::NoMessage(number as u32)).collect()
+}
+
+/// What the operator sees: `screen`, `listed` and `not-listed`.
+fn shown(entry: &Entry<'_, '_>, source: &mut Source<'_>) -> Vec<Check> {
+    match (entry.key, entry.node.get_ref()) {
+        ("screen", DeValue::Boolean(false)) => return vec![Check::Screen(None)],
+        ("not-listed", DeValue::Boolean(true)) => return vec![Check::NothingListed],
+        _ => {}
+    }
+    let what = match entry.key {
+        "screen" => "`screen` is false, or the number of a message: it",
+        "listed" => "the number of a message",
+        _ => "`not-listed` is true, or a number: it",
+    };
+    let numbers = source.numbers(entry.node, what, u64::from(u32::MAX));
+    let check = |number: u64| match entry.key {
+        "screen" => Check::Screen(Some(number as u32)),
+        key => Check::Listed { number: number as u32, listed: key == "listed" },
+    };
+    numbers.into_iter().map(check).collect()
 }
 
 /// Names of guards that end; each must have begun.

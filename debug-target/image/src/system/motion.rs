@@ -187,6 +187,23 @@ places! { CELLS: Addr;
     OVERRIDE_SPEED: "SPEED_OVR_EXT" = 0x0c7e;
     /// SPEED_OVR_MULTIPLIER: WORD, per mille.
     SPEED_MULTIPLIER: "SPEED_OVR_MULTIPLIER" = 0x0c80;
+    /// AKRR_ACT_V: DWORD, mm/min. Eight more in force follow: greatest speed, correction of the radius and of the cutting
+    /// speed, radius, greatest speed and range of the gear, speed and output that were computed.
+    CUTTING_SPEED_ACT: "AKRR_ACT_V" = 0x3aa4;
+    /// AKRR_V: DWORD, mm/min.
+    CUTTING_SPEED: "AKRR_V" = 0x3ac8;
+    /// AKRR_SMAX: DWORD, 1/1000 rev/min.
+    CUTTING_LIMIT: "AKRR_SMAX" = 0x3acc;
+    /// AKRR_DIST: DWORD, 1/8 µm.
+    CUTTING_DISTANCE: "AKRR_DIST" = 0x3ad0;
+    /// AKRR_VCORR: DWORD, mm/min.
+    CUTTING_CORRECTION: "AKRR_VCORR" = 0x3ad4;
+    /// AKRR_P: DWORD, 1/1000 rev/min.
+    CUTTING_GEAR_SPEED: "AKRR_P" = 0x3ad8;
+    /// AKRR_U: DWORD, 0 to 7FFFh.
+    CUTTING_RANGE: "AKRR_U" = 0x3adc;
+    /// AKRR_R: DWORD, 1/8 µm.
+    CUTTING_RADIUS: "AKRR_R" = 0x3ae0;
     /// RSPINDLE_OUTPUT_1: REAL, 1.0 is 10 V.
     OUTPUT_PROGRAMMED: "RSPINDLE_OUTPUT_1" = 0x4a63;
     /// RSPINDLE_PRS_OUTPUT_1: REAL, 1.0 is 10 V.
@@ -254,6 +271,26 @@ places! { BITS: BitRef;
     GEAR_FROM_PROGRAM: "REQ_EXT_SPINDLE_GEAR" = bit(0x0c7d, 0);
     /// REQ_MAN_SPINDLE_GEAR: the gear is set by hand.
     GEAR_BY_HAND: "REQ_MAN_SPINDLE_GEAR" = bit(0x0c7d, 1);
+    /// EXT_AKRR_V: AKRR_V counts.
+    CUTTING_SPEED_GIVEN: "EXT_AKRR_V" = bit(0x3ae4, 0);
+    /// EXT_AKRR_SMAX: AKRR_SMAX counts.
+    CUTTING_LIMIT_GIVEN: "EXT_AKRR_SMAX" = bit(0x3ae4, 1);
+    /// EXT_AKRR_DIST: AKRR_DIST counts.
+    CUTTING_DISTANCE_GIVEN: "EXT_AKRR_DIST" = bit(0x3ae4, 2);
+    /// EXT_AKRR_VCORR: AKRR_VCORR counts.
+    CUTTING_CORRECTION_GIVEN: "EXT_AKRR_VCORR" = bit(0x3ae4, 3);
+    /// EXT_AKRR_REQ: the program switches the constant cutting speed on.
+    CUTTING_REQ: "EXT_AKRR_REQ" = bit(0x3ae4, 4);
+    /// EXT_AKRR_SUPORT: without corrections and shifts.
+    CUTTING_FROM_SLIDE: "EXT_AKRR_SUPORT" = bit(0x3ae4, 5);
+    /// EXT_AKRR_P: AKRR_P counts.
+    CUTTING_GEAR_GIVEN: "EXT_AKRR_P" = bit(0x3ae4, 6);
+    /// EXT_AKRR_U: AKRR_U counts.
+    CUTTING_RANGE_GIVEN: "EXT_AKRR_U" = bit(0x3ae4, 7);
+    /// EXT_AKRR_R: AKRR_R counts.
+    CUTTING_RADIUS_GIVEN: "EXT_AKRR_R" = bit(0x3ae5, 0);
+    /// SF_STOPPOSCHANGED: moved by hand during a stop.
+    STOP_POINT_LEFT: "SF_STOPPOSCHANGED" = bit(0x1356, 0);
     /// SPEED_OVR: the spindle override comes from the program.
     SPEED_FROM_PROGRAM: "SPEED_OVR" = bit(0x0c7d, 2);
 }

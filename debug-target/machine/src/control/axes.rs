@@ -1,9 +1,9 @@
 //! Axes, positioning units, spindles and analogue outputs at the request of the program (manual 12, 13.1 and 19).
 
 use technol_image::service::Service;
-use technol_runtime::{Call, FaultKind};
+use technol_runtime::{AxesOfBlock, BlockMotion, Call, FaultKind};
 
-use crate::motion::{Analog, Cells, Motion, PosControl, PosMode, Refused, Role, SpiAx};
+use crate::motion::{Analog, BlockMove, Cells, Motion, PosControl, PosMode, Refused, Role, SpiAx};
 
 /// The space of POS_INIT when it names none.
 const USUAL_SPACE: u8 = 5;
@@ -86,6 +86,23 @@ pub(super) fn service(motion: &mut Motion, call: &mut Call<'_>) -> Result<bool, 
         _ => return Ok(false),
     };
     Ok(true)
+}
+
+/// A block of the part program asks for the axes it moves.
+pub(super) fn take(motion: &mut Motion, block: &BlockMotion<'_>, memory: &mut [u8]) -> AxesOfBlock {
+    let mut way = BlockMove {
+        feed: block.feed,
+        per_revolution: block.per_revolution,
+        rapid: block.rapid,
+        ..BlockMove::default()
+    };
+    for ((number, target), travel) in (1..).zip(block.targets).zip(&mut way.travel) {
+        *travel = target.map_or(0.0, |target| motion.way_to(number, target));
+    }
+    match motion.begin_block(&mut Cells::new(memory), &way) {
+        Ok(()) => AxesOfBlock::Taken,
+        Err(_) => AxesOfBlock::Busy,
+    }
 }
 
 /// The axis that an older instruction has in its name.

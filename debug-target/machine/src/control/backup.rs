@@ -16,6 +16,11 @@ pub(super) fn load(backup: &[u8], memory: &mut [u8]) {
     }
 }
 
+/// Makes room for the whole area, so that saving it needs no memory.
+pub(super) fn make_room(backup: &mut Vec<u8>) {
+    backup.reserve_exact((END - START).saturating_sub(backup.len()));
+}
+
 /// Copies the memory.
 pub(super) fn save(backup: &mut Vec<u8>, memory: &[u8]) {
     if let Some(area) = memory.get(START..END) {

@@ -3,6 +3,9 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
+use super::board::MessageText;
+use super::elements::ChannelWiring;
+
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ControlData {
@@ -10,10 +13,24 @@ pub struct ControlData {
     pub parameters: BTreeMap<Vec<u8>, Value>,
     /// Constants by identifier, numbered ones with their number (manual 16.2).
     pub constants: BTreeMap<Vec<u8>, i64>,
+    /// Texts and properties of messages by number (manual 14.4).
+    pub messages: BTreeMap<u32, MessageText>,
     /// PLC tables in order of their numbers (manual 17).
     pub tables: Vec<Table>,
     /// PLC_MEM_BACKUP as it was saved last; missing bytes are 0 (manual 18.1).
     pub backup: Vec<u8>,
+    /// Where identifiers of inputs and outputs lead (manual 10 and 27.5).
+    pub wiring: ChannelWiring,
+    /// M functions and their groups (`MFunctions`, manual 8.3.5); those that cannot be are left out.
+    pub m_groups: Vec<(u8, u8)>,
+}
+
+impl ControlData {
+    /// What is known of a message.
+    #[must_use]
+    pub fn message(&self, number: u32) -> Option<&MessageText> {
+        self.messages.get(&number)
+    }
 }
 
 /// A value of one of the four types.
@@ -60,7 +77,57 @@ pub struct Column {
     pub kind: ValueKind,
 }
 
+/// A value that lies somewhere else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Content<'a> {
+    Int(i64),
+    Real(f64),
+    Text(&'a [u8]),
+    Bytes(&'a [u8]),
+}
+
+impl Content<'_> {
+    fn kind(self) -> ValueKind {
+        match self {
+            Content::Int(_) => ValueKind::Int,
+            Content::Real(_) => ValueKind::Real,
+            Content::Text(_) => ValueKind::Text,
+            Content::Bytes(_) => ValueKind::Bytes,
+        }
+    }
+
+    fn to_value(self) -> Value {
+        match self {
+            Content::Int(value) => Value::Int(value),
+            Content::Real(value) => Value::Real(value),
+            Content::Text(text) => Value::Text(text.to_vec()),
+            Content::Bytes(bytes) => Value::Bytes(bytes.to_vec()),
+        }
+    }
+}
+
 impl Value {
+    /// The value itself.
+    pub(super) fn content(&self) -> Content<'_> {
+        match self {
+            Value::Int(value) => Content::Int(*value),
+            Value::Real(value) => Content::Real(*value),
+            Value::Text(text) => Content::Text(text),
+            Value::Bytes(bytes) => Content::Bytes(bytes),
+        }
+    }
+
+    /// Takes another value, in the memory of this one if it is of its type.
+    fn assign(&mut self, content: Content<'_>) {
+        match (&mut *self, content) {
+            (Value::Text(own), Content::Text(bytes)) | (Value::Bytes(own), Content::Bytes(bytes)) => {
+                own.clear();
+                own.extend_from_slice(bytes);
+            }
+            (own, content) => *own = content.to_value(),
+        }
+    }
+
     /// Its type.
     #[must_use]
     pub fn kind(&self) -> ValueKind {
@@ -84,27 +151,57 @@ impl ValueKind {
             ValueKind::Bytes => Value::Bytes(Vec::new()),
         }
     }
+
+    fn empty_content(self) -> Content<'static> {
+        match self {
+            ValueKind::Int => Content::Int(0),
+            ValueKind::Real => Content::Real(0.0),
+            ValueKind::Text => Content::Text(&[]),
+            ValueKind::Bytes => Content::Bytes(&[]),
+        }
+    }
 }
 
 impl Table {
     /// A value; `None` outside the table.
     #[must_use]
     pub fn value(&self, row: usize, column: usize) -> Option<Value> {
+        self.content(row, column).map(Content::to_value)
+    }
+
+    /// The same where it lies.
+    pub(super) fn content(&self, row: usize, column: usize) -> Option<Content<'_>> {
         let kind = self.columns.get(column)?.kind;
         let value = self.rows.get(row)?.get(column).filter(|value| value.kind() == kind);
-        Some(value.cloned().unwrap_or_else(|| kind.empty()))
+        Some(value.map_or(kind.empty_content(), Value::content))
     }
 
     /// Replaces a value; false, and nothing happens, outside the table and when the type is not that of the column.
     pub fn set(&mut self, row: usize, column: usize, value: Value) -> bool {
-        if self.columns.get(column).is_none_or(|column| column.kind != value.kind()) {
+        self.put(row, column, value.content())
+    }
+
+    pub(super) fn put(&mut self, row: usize, column: usize, content: Content<'_>) -> bool {
+        if self.columns.get(column).is_none_or(|column| column.kind != content.kind()) {
             return false;
         }
         let Some(values) = self.rows.get_mut(row) else { return false };
         for column in self.columns.iter().take(column + 1).skip(values.len()) {
             values.push(column.kind.empty());
         }
-        let changed = values.get_mut(column).map(|place| *place = value);
+        let changed = values.get_mut(column).map(|place| place.assign(content));
         changed.is_some()
+    }
+
+    /// Makes room for texts and blocks of so many bytes in all its cells, so that writing one needs no memory.
+    pub(super) fn reserve(&mut self, len: usize) {
+        for row in &mut self.rows {
+            row.reserve_exact(self.columns.len().saturating_sub(row.len()));
+            for value in row {
+                if let Value::Text(own) | Value::Bytes(own) = value {
+                    own.reserve_exact(len.saturating_sub(own.len()));
+                }
+            }
+        }
     }
 }

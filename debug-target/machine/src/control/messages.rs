@@ -78,7 +78,16 @@ impl Messages {
         if self.bindings.len() < MAX_BINDINGS {
             self.bindings.push(binding);
         }
+        // Both edges of a bit may begin and end its message in one look.
+        let room = 2 * self.bindings.len();
+        self.waiting.reserve(room.saturating_sub(self.waiting.len()));
         Ok(())
+    }
+
+    /// A start of the PLC: nothing is bound.
+    pub(super) fn start(&mut self) {
+        self.bindings.clear();
+        self.waiting.clear();
     }
 
     /// Looks at the bits, once a cycle after MODULE_MAIN.

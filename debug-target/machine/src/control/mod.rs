@@ -1,36 +1,51 @@
 //! The simulated control around a program: it carries out what the runtime leaves to a
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
-use technol_image::service::Service;
-use technol_runtime::{Call, Control, ControlCall, ControlMessage, FaultKind, Rate};
+use alloc::vec::Vec;
+
+use technol_image::service::{Arg, Service, ServiceCall};
+use technol_image::system::{self, devices};
+use technol_runtime::{
+    AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, FaultKind,
+    Hold, Rate,
+};
 
 use crate::config::MachineConfig;
-use crate::motion::{Cells, Motion};
-use crate::signal::Signal;
+use crate::fault::BusFault;
+use crate::motion::{BlockState, Cells, Motion};
+use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, OUTPUT_PORTS, Signal};
 
 mod axes;
 mod backup;
+mod board;
 mod can;
 pub(crate) mod config;
 mod configuration;
 mod data;
+mod edrv;
 pub(crate) mod elements;
-mod ethercat;
+pub(crate) mod ethercat;
+mod faults;
 mod licence;
 mod messages;
 mod objects;
 mod operand;
 mod serial;
 mod shared;
+mod state_machine;
 mod tables;
 mod transfer;
 
+use edrv::Edrv;
 use elements::Elements;
-pub use elements::{Conversion, ElementError, ElementValue};
+pub use elements::{
+    Analog, ChannelWiring, Connection, Conversion, ElementError, ElementValue, Mapping, Physical,
+};
 use messages::Messages;
 use shared::SharedMemory;
 use tables::Tables;
 
+pub use board::{MessageBoard, MessageKind, MessageText, Shown};
 pub use data::{Column, ControlData, Table, Value, ValueKind};
 pub use shared::Shared;
 
@@ -42,12 +57,16 @@ pub use ethercat::{EcatSlave, EcatState, EtherCat};
 pub use licence::Licences;
 pub use serial::{SERIAL_QUEUE, SerialPort};
 
+/// Bytes of a text in a table, or of a block on a bus, for which room is made before the program runs; a longer one takes its memory when it comes.
+const MAX_TEXT: usize = 1024;
+
 /// The control. Deterministic; a clone is a snapshot.
 #[derive(Clone, Debug, Default)]
 pub struct SimulatedControl {
     data: ControlData,
     elements: Elements,
     messages: Messages,
+    board: MessageBoard,
     motion: Motion,
     shared: SharedMemory,
     tables: Tables,
@@ -59,6 +78,10 @@ pub struct SimulatedControl {
     units: Units,
     drives: Drives,
     ethercat: EtherCat,
+    edrv: Edrv,
+    /// What the machine drives the analogue inputs with.
+    analog_inputs: Vec<(u8, f64)>,
+    bus_faults: Vec<BusFault>,
 }
 
 impl SimulatedControl {
@@ -142,9 +165,37 @@ impl SimulatedControl {
         &self.data
     }
 
-    /// Replaces what it has on its disk.
+    /// Replaces what it has on its disk. Inputs and outputs of the configuration count from the next start of the PLC, its
+    /// connections at once.
     pub fn set_data(&mut self, data: ControlData) {
+        // An identifier that is none connects nothing; who reads the files reports it.
+        let _ = self.elements.configure(data.wiring.clone());
         self.data = data;
+        backup::make_room(&mut self.data.backup);
+    }
+
+    /// Makes room for all that a program may have under way at once, so that its cycles need no memory. Without it the first
+    /// execution of a line does.
+    pub fn prepare(&mut self, services: &[ServiceCall]) {
+        backup::make_room(&mut self.data.backup);
+        for (call, it) in (0..).zip(services) {
+            let bytes = it.args.iter().map(|arg| match arg {
+                Arg::Text(bytes) => bytes.len(),
+                Arg::Area { len, .. } => *len as usize,
+                _ => 8,
+            });
+            let longest = bytes.max().unwrap_or(0).min(MAX_TEXT);
+            match it.service {
+                Service::SaRead | Service::SaWrite => self.shared.prepare(call),
+                Service::EcatCommand
+                | Service::EcatCoeRead
+                | Service::EcatCoeWrite
+                | Service::EcatSoeRead
+                | Service::EcatSoeWrite => self.ethercat.prepare(call, longest),
+                other if other.name().starts_with("PLCT_") => self.tables.prepare(call, other, longest),
+                _ => {}
+            }
+        }
     }
 
     /// What the program published by SHARE_VAR and SHARE_BIT.
@@ -180,9 +231,31 @@ impl SimulatedControl {
         self.saved
     }
 
+    /// The messages that the operator sees.
+    #[must_use]
+    pub fn board(&self) -> &MessageBoard {
+        &self.board
+    }
+
+    /// A message of the program, of ESET or EDEF, reaches the operator: shown (`set`) or removed.
+    pub fn report(&mut self, message: Shown, set: bool) {
+        self.board.report(self.data.message(message.number), message, set);
+    }
+
+    /// The operator confirms the transient message on the screen.
+    pub fn acknowledge(&mut self) -> Option<Shown> {
+        self.board.acknowledge()
+    }
+
     /// A logical channel of serial ports; it is configured from the first time on.
     pub fn serial_mut(&mut self, channel: u8) -> &mut SerialPort {
         self.serial.port(channel)
+    }
+
+    /// A logical channel of serial ports, if it is configured.
+    #[must_use]
+    pub fn serial(&self, channel: u8) -> Option<&SerialPort> {
+        self.serial.configured(channel)
     }
 
     /// The hardware key and its licences.
@@ -209,6 +282,47 @@ impl SimulatedControl {
     /// The EtherCAT master.
     pub fn ethercat_mut(&mut self) -> &mut EtherCat {
         &mut self.ethercat
+    }
+}
+
+impl SimulatedControl {
+    /// What the control gives the slaves of its buses.
+    pub(crate) fn bus_outputs(&self) -> &[u8; BUS_OUTPUTS] {
+        self.ethercat.outputs()
+    }
+
+    /// What the slaves give.
+    pub(crate) fn set_bus_inputs(&mut self, inputs: &[u8; BUS_INPUTS]) {
+        self.ethercat.set_inputs(inputs);
+    }
+
+    /// Voltages of analogue inputs by channel.
+    pub(crate) fn set_analog_inputs(&mut self, inputs: &[(u8, f64)]) {
+        self.analog_inputs.clear();
+        self.analog_inputs.extend_from_slice(inputs);
+    }
+
+    /// Short circuits that the program is told of, of those there are: units tell of outputs that are on, and IO_DIS_ERPIS
+    /// keeps them silent (manual 9.3).
+    #[must_use]
+    pub fn reported(&mut self, shorted: &[u8; OUTPUT_PORTS], memory: &[u8]) -> [u8; OUTPUT_PORTS] {
+        let mut reported = *shorted;
+        let outputs = memory.get(system::OUT_PORTS as usize..).unwrap_or_default();
+        self.units.tell_shorted(&mut reported, outputs);
+        reported
+    }
+
+    /// A millisecond of analogue inputs and drives.
+    fn devices(&mut self, memory: &mut [u8]) {
+        for (channel, volts) in &self.analog_inputs {
+            let at = devices::ANALOG_INPUT as usize + 8 * usize::from(*channel);
+            if let Some(cell) = memory.get_mut(at..at + 8) {
+                cell.copy_from_slice(&volts.to_le_bytes());
+            }
+        }
+        self.ethercat.exchange(&mut self.elements);
+        self.edrv.tick(memory);
+        self.drives.follow(memory);
     }
 }
 
@@ -261,6 +375,7 @@ impl Control for SimulatedControl {
     fn inputs(&mut self, rate: Rate, millis: u64, memory: &mut [u8]) {
         if rate == Rate::Fast {
             self.motion.tick_ms(&mut Cells::new(memory));
+            self.devices(memory);
         }
         self.elements.serve(rate, true, memory);
         // The buses run in PLC time, which stands while the debugger holds the program.
@@ -274,6 +389,7 @@ impl Control for SimulatedControl {
             self.units.cycle();
             self.drives.inputs(memory);
             self.ethercat.cycle();
+            self.ethercat.requests(memory);
         }
     }
 
@@ -299,19 +415,58 @@ impl Control for SimulatedControl {
         self.can.next_call(memory)
     }
 
+    fn block_spindle(&mut self, spindle: &BlockSpindle, memory: &mut [u8]) {
+        self.motion.program_spindle(&mut Cells::new(memory), spindle);
+    }
+
+    fn take_axes(&mut self, motion: &BlockMotion<'_>, memory: &mut [u8]) -> AxesOfBlock {
+        axes::take(&mut self.motion, motion, memory)
+    }
+
+    fn release_axes(&mut self) {
+        self.motion.release_block();
+    }
+
+    fn block_way(&self) -> BlockWay {
+        match self.motion.block() {
+            BlockState::None => BlockWay::Lost,
+            BlockState::Done if self.motion.arrived() => BlockWay::Arrived,
+            BlockState::Moving | BlockState::Done => BlockWay::Moving,
+        }
+    }
+
+    fn in_position(&self) -> bool {
+        self.motion.in_position() && !self.motion.moves()
+    }
+
+    fn hold(&mut self, hold: Hold) {
+        self.motion.hold(hold);
+    }
+
+    fn is_held(&self) -> bool {
+        self.motion.is_held()
+    }
+
+    fn end_block(&mut self, memory: &mut [u8]) {
+        self.motion.annul(&mut Cells::new(memory));
+    }
+
     fn start(&mut self, cold: bool) {
         self.motion.start(cold);
         self.elements.start();
-        self.messages = Messages::default();
+        self.messages.start();
+        self.board.start(cold);
         self.shared.start(cold);
-        self.tables.start();
+        self.tables.start(&mut self.data.tables);
         self.serial.start();
         self.can.start();
         self.drives.start(cold);
         self.ethercat.start(cold);
+        self.edrv.start(cold);
     }
 
     fn power_on(&mut self, memory: &mut [u8]) {
         backup::load(&self.data.backup, memory);
+        self.elements.wiring().mark_analog(memory);
     }
 }

@@ -1,11 +1,9 @@
 //! Operands whose width the instruction decides and not the declaration.
 
-use alloc::vec::Vec;
-
 use technol_image::service::Arg;
 use technol_runtime::{Call, FaultKind};
 
-use super::data::Value;
+use super::data::Content;
 
 /// An integer: the value of a cell or constant, or the first four bytes of a text.
 pub(super) fn integer(call: &Call<'_>, n: usize) -> Result<i64, FaultKind> {
@@ -33,17 +31,19 @@ pub(super) fn real(call: &Call<'_>, n: usize) -> Result<f64, FaultKind> {
 
 /// Writes a value: an integer at the width of the cell (four bytes to a text), a real as eight bytes, a text with its end
 /// mark, bytes as they are. Nothing goes past the end of the operand.
-pub(super) fn store(call: &mut Call<'_>, n: usize, value: &Value) -> Result<(), FaultKind> {
-    let bytes: Vec<u8> = match value {
-        Value::Int(value) if !matches!(call.arg(n), Arg::Area { .. }) => return call.store(n, *value),
-        Value::Int(value) => (*value as i32).to_le_bytes().to_vec(),
-        Value::Real(value) => value.to_le_bytes().to_vec(),
-        Value::Text(text) => return call.store_text(n, text),
-        Value::Bytes(bytes) => bytes.clone(),
-    };
+pub(super) fn store(call: &mut Call<'_>, n: usize, content: Content<'_>) -> Result<(), FaultKind> {
+    match content {
+        Content::Int(value) if !matches!(call.arg(n), Arg::Area { .. }) => call.store(n, value),
+        Content::Int(value) => cut(call, n, &(value as i32).to_le_bytes()),
+        Content::Real(value) => cut(call, n, &value.to_le_bytes()),
+        Content::Text(text) => call.store_text(n, text),
+        Content::Bytes(bytes) => cut(call, n, bytes),
+    }
+}
+
+fn cut(call: &mut Call<'_>, n: usize, bytes: &[u8]) -> Result<(), FaultKind> {
     let Some((addr, len)) = call.area(n)? else { return Ok(()) };
-    let taken = bytes.len().min(len as usize);
-    call.write(addr, &bytes[..taken])
+    call.write(addr, &bytes[..bytes.len().min(len as usize)])
 }
 
 fn fill(all: &mut [u8], from: &[u8]) {

@@ -39,9 +39,9 @@ impl Default for SerialPort {
         SerialPort {
             baud: 9600,
             failed: false,
-            transmit: VecDeque::new(),
-            receive: VecDeque::new(),
-            sent: VecDeque::new(),
+            transmit: VecDeque::with_capacity(SERIAL_QUEUE),
+            receive: VecDeque::with_capacity(SERIAL_QUEUE),
+            sent: VecDeque::with_capacity(SENT),
             elapsed: 0,
             send_over: false,
             recv_over: false,
@@ -58,6 +58,12 @@ impl SerialPort {
     /// The line is broken (true): nothing comes or goes, the program sees PLC_COM_ERROR.
     pub fn set_failed(&mut self, failed: bool) {
         self.failed = failed;
+    }
+
+    /// The line is broken.
+    #[must_use]
+    pub fn is_failed(&self) -> bool {
+        self.failed
     }
 
     /// Characters that arrive for the program. Those for which its queue has no room are lost, which it is told
@@ -122,6 +128,10 @@ pub(super) struct Serial {
 }
 
 impl Serial {
+    pub(super) fn configured(&self, number: u8) -> Option<&SerialPort> {
+        self.ports.get(&number)
+    }
+
     pub(super) fn port(&mut self, number: u8) -> &mut SerialPort {
         self.ports.entry(number).or_default()
     }

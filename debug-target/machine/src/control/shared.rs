@@ -44,7 +44,7 @@ enum Form {
 }
 
 impl Shared {
-    /// Its value in the memory of the program.
+    /// Its value in the memory of the program. An unsigned cell of 8 bytes above [`i64::MAX`] keeps its bits.
     #[must_use]
     pub fn value(&self, memory: &[u8]) -> Value {
         let start = self.addr as usize;
@@ -112,10 +112,15 @@ impl SharedMemory {
     /// What the program published before is forgotten; the areas stay unless everything is as at power-on.
     pub(super) fn start(&mut self, cold: bool) {
         self.names.clear();
-        self.transfers = Transfers::default();
+        self.transfers.forget();
         if cold {
             self.areas.iter_mut().for_each(|area| area.0.fill(0));
         }
+    }
+
+    /// Makes room for a SA_READ or SA_WRITE of the program.
+    pub(super) fn prepare(&mut self, call: u16) {
+        self.transfers.prepare(call, ());
     }
 
     /// What is published.
@@ -162,7 +167,7 @@ impl SharedMemory {
             return Ok(());
         };
         if !self.transfers.is_under_way(call) {
-            self.transfers.begin(call, ());
+            self.transfers.begin(call, |()| Ok(()))?;
         }
         let granted = self.transfers.end(call).is_some();
         if granted && call.service() == Service::SaRead {

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use technol_image::service::Service;
 use technol_runtime::{Call, FaultKind};
 
-use super::data::{Column, Table, Value, ValueKind};
+use super::data::{Column, Content, Table, Value, ValueKind};
 use super::operand;
 use super::transfer::Transfers;
 
@@ -25,6 +25,8 @@ pub(super) struct Tables {
     /// Of each table somebody looked at.
     views: Vec<View>,
     transfers: Transfers<Request>,
+    /// Bytes of the longest text or block that the program writes.
+    longest: usize,
 }
 
 /// What the operator does with a table.
@@ -36,21 +38,52 @@ struct View {
 }
 
 /// The operands of an instruction.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Request {
     table: usize,
     line: usize,
     column: usize,
     /// What is written.
-    value: Option<Value>,
-    /// Identifier of a column.
-    id: Vec<u8>,
+    written: Written,
+    /// A text or block that is written, or the identifier of a column.
+    bytes: Vec<u8>,
+}
+
+/// What an instruction writes.
+#[derive(Clone, Copy, Debug, Default)]
+enum Written {
+    #[default]
+    Nothing,
+    Int(i64),
+    Real(f64),
+    Text,
+    Bytes,
+}
+
+/// What an instruction found.
+enum Found<'a> {
+    Nothing,
+    Value(Content<'a>),
 }
 
 impl Tables {
-    /// Transfers of the run before are forgotten.
-    pub(super) fn start(&mut self) {
-        self.transfers = Transfers::default();
+    /// Makes room for an instruction on tables; `len`: bytes of its longest text or block.
+    pub(super) fn prepare(&mut self, call: u16, service: Service, len: usize) {
+        self.transfers.prepare(call, Request { bytes: Vec::with_capacity(len), ..Request::default() });
+        if matches!(service, Service::PlctSetStr | Service::PlctSetBin) {
+            self.longest = self.longest.max(len);
+        }
+    }
+
+    /// A start of the PLC: transfers of the run before are forgotten, and all is laid out that the program may write.
+    pub(super) fn start(&mut self, tables: &mut [Table]) {
+        self.transfers.forget();
+        if self.views.len() < tables.len() {
+            self.views.resize(tables.len(), View::default());
+        }
+        if self.longest > 0 {
+            tables.iter_mut().for_each(|table| table.reserve(self.longest));
+        }
     }
 
     /// The operator changes a value; false when there is no such place or it is of another type.
@@ -58,7 +91,7 @@ impl Tables {
         let [table, line, column] = at;
         let done = tables.get_mut(table).is_some_and(|table| table.set(line, column, value));
         if done {
-            self.view(table).item_changed = true;
+            view(&mut self.views, table).item_changed = true;
         }
         done
     }
@@ -67,7 +100,7 @@ impl Tables {
     pub(super) fn select(&mut self, tables: &[Table], table: usize, line: usize) -> bool {
         let found = tables.get(table).is_some_and(|table| line < table.rows.len());
         if found {
-            let view = self.view(table);
+            let view = view(&mut self.views, table);
             view.line_changed |= view.selected != line;
             view.selected = line;
         }
@@ -77,75 +110,74 @@ impl Tables {
     /// An instruction: RLO 0 and DR 0 while it is under way, then RLO 1 and DR 0 or the number of an error.
     pub(super) fn execute(&mut self, tables: &mut [Table], call: &mut Call<'_>) -> Result<(), FaultKind> {
         if !self.transfers.is_under_way(call) {
-            self.transfers.begin(call, Request::of(call)?);
+            self.transfers.begin(call, |request| request.take(call))?;
         }
+        call.set_dr(0);
         let ended = self.transfers.end(call);
-        let result = ended.map(|request| self.carry_out(tables, &request, call.service()));
-        call.set_rlo(result.is_some());
-        match result {
-            Some(Err(error)) => call.set_dr(error),
-            Some(Ok(Some(value))) => {
-                call.set_dr(0);
-                operand::store(call, target(call.service()), &value)?;
-            }
-            Some(Ok(None)) | None => call.set_dr(0),
+        call.set_rlo(ended.is_some());
+        let Some(request) = ended else { return Ok(()) };
+        match carry_out(&mut self.views, tables, request, call.service()) {
+            Ok(Found::Value(content)) => operand::store(call, target(call.service()), content)?,
+            Ok(Found::Nothing) => {}
+            Err(error) => call.set_dr(error),
         }
         Ok(())
     }
+}
 
-    /// The value for the target, when the instruction has one.
-    fn carry_out(
-        &mut self,
-        tables: &mut [Table],
-        request: &Request,
-        service: Service,
-    ) -> Result<Option<Value>, i64> {
-        let Request { line, column, ref id, .. } = *request;
-        let table = tables.get_mut(request.table).ok_or(NO_TABLE)?;
-        let of_column = |column: usize| table.columns.get(column).ok_or(NO_COLUMN);
-        let number = |n: usize| Some(Value::Int(n as i64));
-        Ok(match service {
-            Service::PlctColIndex => {
-                number(table.columns.iter().position(|column| column.id == *id).ok_or(NO_COLUMN)?)
-            }
-            Service::PlctColId => Some(Value::Text(of_column(column)?.id.clone())),
-            Service::PlctColType => number(type_number(of_column(column)?)),
-            Service::PlctGetLinescount => number(table.rows.len()),
-            Service::PlctGetSelline => {
-                let selected = self.view(request.table).selected;
-                number(Some(selected).filter(|line| *line < table.rows.len()).ok_or(NO_LINE)?)
-            }
-            Service::PlctSetSelline => {
-                if line >= table.rows.len() {
-                    return Err(NO_LINE);
-                }
-                self.view(request.table).selected = line;
-                None
-            }
-            Service::PlctChanged => Some(Value::Int(self.view(request.table).take_change())),
-            _ => {
-                let kind = of_column(column)?.kind;
-                let found = table.value(line, column).ok_or(NO_LINE)?;
-                if kind != cell_kind(service) {
-                    return Err(OTHER_TYPE);
-                }
-                match &request.value {
-                    Some(value) => {
-                        table.set(line, column, value.clone());
-                        None
-                    }
-                    None => Some(found),
-                }
-            }
-        })
-    }
-
-    fn view(&mut self, table: usize) -> &mut View {
-        if self.views.len() <= table {
-            self.views.resize(table + 1, View::default());
+/// Does what an instruction asks for, or tells the number of an error.
+fn carry_out<'a>(
+    views: &mut Vec<View>,
+    tables: &'a mut [Table],
+    request: &'a Request,
+    service: Service,
+) -> Result<Found<'a>, i64> {
+    let Request { line, column, ref bytes, .. } = *request;
+    let table = tables.get_mut(request.table).ok_or(NO_TABLE)?;
+    let number = |n: usize| Found::Value(Content::Int(n as i64));
+    Ok(match service {
+        Service::PlctColIndex => {
+            number(table.columns.iter().position(|column| column.id == *bytes).ok_or(NO_COLUMN)?)
         }
-        &mut self.views[table]
+        Service::PlctColId => Found::Value(Content::Text(&table.columns.get(column).ok_or(NO_COLUMN)?.id)),
+        Service::PlctColType => number(type_number(table.columns.get(column).ok_or(NO_COLUMN)?)),
+        Service::PlctGetLinescount => number(table.rows.len()),
+        Service::PlctGetSelline => {
+            let selected = view(views, request.table).selected;
+            number(Some(selected).filter(|line| *line < table.rows.len()).ok_or(NO_LINE)?)
+        }
+        Service::PlctSetSelline => {
+            if line >= table.rows.len() {
+                return Err(NO_LINE);
+            }
+            view(views, request.table).selected = line;
+            Found::Nothing
+        }
+        Service::PlctChanged => Found::Value(Content::Int(view(views, request.table).take_change())),
+        _ => {
+            let kind = table.columns.get(column).ok_or(NO_COLUMN)?.kind;
+            if table.content(line, column).is_none() {
+                return Err(NO_LINE);
+            }
+            if kind != cell_kind(service) {
+                return Err(OTHER_TYPE);
+            }
+            match request.written() {
+                Some(content) => {
+                    table.put(line, column, content);
+                    Found::Nothing
+                }
+                None => table.content(line, column).map_or(Found::Nothing, Found::Value),
+            }
+        }
+    })
+}
+
+fn view(views: &mut Vec<View>, table: usize) -> &mut View {
+    if views.len() <= table {
+        views.resize(table + 1, View::default());
     }
+    &mut views[table]
 }
 
 impl View {
@@ -162,20 +194,53 @@ impl View {
 }
 
 impl Request {
-    fn of(call: &Call<'_>) -> Result<Request, FaultKind> {
+    /// Takes the operands.
+    fn take(&mut self, call: &Call<'_>) -> Result<(), FaultKind> {
         // A negative number leads nowhere, as one that is too large.
         let number = |n: usize| Ok(usize::try_from(unsigned(call, n)?).unwrap_or(usize::MAX));
-        let nothing = Request { table: number(0)?, line: 0, column: 0, value: None, id: Vec::new() };
-        Ok(match call.service() {
-            Service::PlctColIndex => Request { id: call.text(1)?.unwrap_or_default().to_vec(), ..nothing },
+        (self.table, self.line, self.column, self.written) = (number(0)?, 0, 0, Written::Nothing);
+        self.bytes.clear();
+        match call.service() {
+            Service::PlctColIndex => self.bytes.extend_from_slice(call.text(1)?.unwrap_or_default()),
             Service::PlctColId => {
-                let index = operand::integer(call, 1)?;
-                Request { column: usize::try_from(index).unwrap_or(usize::MAX), ..nothing }
+                self.column = usize::try_from(operand::integer(call, 1)?).unwrap_or(usize::MAX);
             }
-            Service::PlctColType => Request { column: number(1)?, ..nothing },
-            Service::PlctSetSelline => Request { line: number(1)?, ..nothing },
-            Service::PlctGetSelline | Service::PlctChanged | Service::PlctGetLinescount => nothing,
-            _ => Request { line: number(1)?, column: number(2)?, value: written(call)?, ..nothing },
+            Service::PlctColType => self.column = number(1)?,
+            Service::PlctSetSelline => self.line = number(1)?,
+            Service::PlctGetSelline | Service::PlctChanged | Service::PlctGetLinescount => {}
+            _ => {
+                (self.line, self.column) = (number(1)?, number(2)?);
+                self.take_value(call)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What a PLCT_SET_ of a value writes.
+    fn take_value(&mut self, call: &Call<'_>) -> Result<(), FaultKind> {
+        self.written = match call.service() {
+            Service::PlctSetInt => Written::Int(i64::from(operand::integer(call, 3)? as i32)),
+            Service::PlctSetReal => Written::Real(operand::real(call, 3)?),
+            Service::PlctSetStr => {
+                self.bytes.extend_from_slice(call.text(3)?.unwrap_or_default());
+                Written::Text
+            }
+            Service::PlctSetBin => {
+                self.bytes.extend_from_slice(call.content(3)?);
+                Written::Bytes
+            }
+            _ => Written::Nothing,
+        };
+        Ok(())
+    }
+
+    fn written(&self) -> Option<Content<'_>> {
+        Some(match self.written {
+            Written::Nothing => return None,
+            Written::Int(value) => Content::Int(value),
+            Written::Real(value) => Content::Real(value),
+            Written::Text => Content::Text(&self.bytes),
+            Written::Bytes => Content::Bytes(&self.bytes),
         })
     }
 }
@@ -189,17 +254,6 @@ fn unsigned(call: &Call<'_>, n: usize) -> Result<i64, FaultKind> {
         }
         _ => value,
     })
-}
-
-/// What a PLCT_SET_ of a value writes.
-fn written(call: &Call<'_>) -> Result<Option<Value>, FaultKind> {
-    Ok(Some(match call.service() {
-        Service::PlctSetInt => Value::Int(i64::from(operand::integer(call, 3)? as i32)),
-        Service::PlctSetReal => Value::Real(operand::real(call, 3)?),
-        Service::PlctSetStr => Value::Text(call.text(3)?.unwrap_or_default().to_vec()),
-        Service::PlctSetBin => Value::Bytes(call.content(3)?.to_vec()),
-        _ => return Ok(None),
-    }))
 }
 
 /// Type of the column an instruction needs.

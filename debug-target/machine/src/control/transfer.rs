@@ -1,19 +1,22 @@
 //! Transfers that take a cycle: what an instruction asked for is done when its line is executed in the cycle after. A
 //! line that was not executed in the cycle before begins anew.
 
-use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
 
-use technol_runtime::Call;
+use technol_runtime::{Call, FaultKind};
 
 /// Milliseconds of a cycle.
 const CYCLE: u64 = 20;
 
-/// Transfers under way by the number of their call; as many as the program has such lines at most.
+/// Transfers by the number of their call, ascending; as many as the program has such lines at most. A place stays when its
+/// transfer ends, so that the next one needs no memory.
 #[derive(Clone, Debug)]
-pub(super) struct Transfers<T>(BTreeMap<u16, Transfer<T>>);
+pub(super) struct Transfers<T>(Vec<Transfer<T>>);
 
 #[derive(Clone, Debug)]
 struct Transfer<T> {
+    call: u16,
+    under_way: bool,
     begun: u64,
     /// Last time the line was executed.
     seen: u64,
@@ -22,31 +25,68 @@ struct Transfer<T> {
 
 impl<T> Default for Transfers<T> {
     fn default() -> Transfers<T> {
-        Transfers(BTreeMap::new())
+        Transfers(Vec::new())
     }
 }
 
 impl<T> Transfers<T> {
-    /// Whether the transfer of this call is still under way, executed in this cycle or the one before.
-    pub(super) fn is_under_way(&self, call: &Call<'_>) -> bool {
-        let lives = |it: &Transfer<T>| call.millis().checked_sub(it.seen).is_some_and(|past| past <= CYCLE);
-        self.0.get(&call.index()).is_some_and(lives)
+    /// Makes a place for a call, before the program runs.
+    pub(super) fn prepare(&mut self, call: u16, request: T) {
+        let place = Transfer { call, under_way: false, begun: 0, seen: 0, request };
+        match self.0.binary_search_by_key(&call, |it| it.call) {
+            Ok(at) => self.0[at] = place,
+            Err(at) => self.0.insert(at, place),
+        }
     }
 
-    /// Begins the transfer of this call anew.
-    pub(super) fn begin(&mut self, call: &Call<'_>, request: T) {
-        let now = call.millis();
-        self.0.insert(call.index(), Transfer { begun: now, seen: now, request });
+    /// Nothing is under way any more.
+    pub(super) fn forget(&mut self) {
+        self.0.iter_mut().for_each(|it| it.under_way = false);
+    }
+
+    /// Whether the transfer of this call is still under way, executed in this cycle or the one before.
+    pub(super) fn is_under_way(&self, call: &Call<'_>) -> bool {
+        let found = self.0.binary_search_by_key(&call.index(), |it| it.call).map(|at| &self.0[at]);
+        found.is_ok_and(|it| {
+            it.under_way && call.millis().checked_sub(it.seen).is_some_and(|past| past <= CYCLE)
+        })
     }
 
     /// The request, once, when its cycle has passed.
-    pub(super) fn end(&mut self, call: &Call<'_>) -> Option<T> {
+    pub(super) fn end(&mut self, call: &Call<'_>) -> Option<&T> {
+        let at = self.0.binary_search_by_key(&call.index(), |it| it.call).ok()?;
+        let transfer = self.0.get_mut(at).filter(|it| it.under_way)?;
         let now = call.millis();
-        let transfer = self.0.get_mut(&call.index())?;
         transfer.seen = now;
         if now.saturating_sub(transfer.begun) < CYCLE {
             return None;
         }
-        self.0.remove(&call.index()).map(|transfer| transfer.request)
+        transfer.under_way = false;
+        Some(&transfer.request)
+    }
+}
+
+impl<T: Default> Transfers<T> {
+    /// Begins the transfer of this call anew; `fill` takes the operands into what the last one left.
+    pub(super) fn begin(
+        &mut self,
+        call: &Call<'_>,
+        fill: impl FnOnce(&mut T) -> Result<(), FaultKind>,
+    ) -> Result<(), FaultKind> {
+        let index = call.index();
+        let at = match self.0.binary_search_by_key(&index, |it| it.call) {
+            Ok(at) => at,
+            Err(at) => {
+                let place =
+                    Transfer { call: index, under_way: false, begun: 0, seen: 0, request: T::default() };
+                self.0.insert(at, place);
+                at
+            }
+        };
+        let transfer = &mut self.0[at];
+        fill(&mut transfer.request)?;
+        let now = call.millis();
+        (transfer.under_way, transfer.begun, transfer.seen) = (true, now, now);
+        Ok(())
     }
 }

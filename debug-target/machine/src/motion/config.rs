@@ -195,6 +195,8 @@ pub struct Spindle {
     pub port: Option<u8>,
     /// Rotary axis (1 to 16) that works as this spindle.
     pub axis: Option<u8>,
+    /// Axis (1 to 16) whose coordinate is the radius for a constant cutting speed.
+    pub cutting_axis: u8,
     /// It has an encoder; without one its speed is what the program writes to SIM_SPEED_PT.
     pub encoder: bool,
     /// Gears, the lowest first; at least one.
@@ -210,6 +212,7 @@ impl Default for Spindle {
             acceleration: 1000,
             port: None,
             axis: None,
+            cutting_axis: 1,
             encoder: true,
             gear: Vec::new(),
         }

@@ -7,7 +7,7 @@ use super::cells::Cells;
 use super::config::JogEnable;
 use super::feed::Feed;
 use super::gate::{Gate, Ways};
-use super::path::{BlockState, Hold, Path};
+use super::path::{BlockState, Hold, Path, Way};
 use super::publish;
 use super::ramp::{Goal, Ramp};
 use super::run::Switches;
@@ -63,8 +63,9 @@ impl Motion {
 
     /// Moves the axes of the block along their path.
     pub(crate) fn move_block(&mut self, signals: &Signals, feed: &Feed) {
+        let revolutions = self.main_revolutions();
         let Some(path) = &mut self.path else { return };
-        let (mut hold, mut slow) = (self.hold, f64::INFINITY);
+        let (mut hold, mut slow, mut room) = (self.hold, f64::INFINITY, f64::INFINITY);
         for (index, share, place) in path.places() {
             let axis = &self.axes[index];
             let gate = Gate::of(axis, index, signals, false);
@@ -74,13 +75,14 @@ impl Motion {
                 hold = Hold::Stop;
             }
             slow = slow.min(gate.greatest(share) / share.abs());
+            room = room.min(gate.room(share, axis) / share.abs());
             let away = (axis.ramp.position - place).abs() > axis.settings.tolerance;
             if axis.work != Work::Block || away {
                 // Moved by hand meanwhile: the way back is made by hand, too.
                 return;
             }
         }
-        if path.tick(&mut self.axes, feed, hold, slow) {
+        if path.tick(&mut self.axes, feed, Way { hold, slow, room, revolutions }) {
             self.path = None;
             self.block = BlockState::Done;
             for axis in self.axes.iter_mut().filter(|axis| axis.work == Work::Block) {
@@ -247,6 +249,7 @@ impl Motion {
         cells.set_bit(place::LIMIT_SWITCH, switches != 0);
         cells.set_bit(place::SOFT_LIMIT, limits != 0);
         cells.set_bit(place::AT_STOP_POINT, self.at_stop_point());
+        cells.set_bit(place::STOP_POINT_LEFT, !self.at_stop_point());
         cells.set_byte(place::FEED_PERCENT, self.feed_percent);
     }
 

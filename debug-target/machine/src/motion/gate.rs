@@ -104,6 +104,11 @@ impl Gate {
         way != 0.0 && (stop || limit)
     }
 
+    /// How far it is to the software limit in the direction of `way`.
+    pub(crate) fn room(&self, way: f64, axis: &Axis) -> f64 {
+        if way < 0.0 { axis.ramp.position - self.low } else { self.high - axis.ramp.position }
+    }
+
     /// The greatest speed in the direction of `way`.
     pub(crate) fn greatest(&self, way: f64) -> f64 {
         if way < 0.0 { self.speed.minus } else { self.speed.plus }

@@ -2,6 +2,8 @@
 
 use technol_image::system::{self, motion as place};
 
+use technol_runtime::Hold;
+
 use super::axis::Work;
 use super::cells::Cells;
 use super::run::{Plan, Run};
@@ -181,6 +183,7 @@ impl Motion {
             self.break_off(cells, index);
         }
         self.drop_block();
+        self.hold = Hold::Go;
     }
 
     fn end_reference(&self, cells: &mut Cells<'_>) {

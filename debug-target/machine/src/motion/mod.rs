@@ -12,12 +12,16 @@
 use alloc::vec::Vec;
 use core::fmt;
 
+use technol_image::system::motion as place;
+use technol_runtime::BlockSpindle;
+
 use crate::config::MachineConfig;
 
 pub mod config;
 
 mod axis;
 mod cells;
+mod cutting;
 mod drive;
 mod feed;
 mod gate;
@@ -26,6 +30,7 @@ mod instructions;
 mod jog;
 mod number;
 mod output;
+mod panel;
 mod path;
 mod publish;
 mod ramp;
@@ -44,10 +49,12 @@ pub use instructions::SpiAx;
 pub use jog::Direction;
 pub use number::Thousandths;
 pub use output::{Analog, PORTS, Role};
+pub use panel::PanelKey;
 pub use path::{BlockMove, BlockState, Hold};
 pub use unit::{PosControl, PosMode};
 
 use axis::{Axis, Work};
+use cutting::Cutting;
 use feed::Feed;
 use jog::Jog;
 use output::Outputs;
@@ -117,6 +124,8 @@ pub struct Motion {
     path: Option<Path>,
     block: BlockState,
     hold: Hold,
+    /// Axes of the last block, a bit an axis.
+    arriving: u16,
     /// Axes whose reference the operator has asked for and that have not begun.
     wanted: u16,
     /// What the operator has asked for since the last tick.
@@ -124,6 +133,7 @@ pub struct Motion {
     outputs: Outputs,
     /// Spindles 1 and 2.
     spindles: [Spindle; 2],
+    cutting: Cutting,
     feed_percent: u8,
     speed_percent: u8,
     /// The cells of the configuration are written.
@@ -159,10 +169,12 @@ impl Motion {
             path: None,
             block: BlockState::None,
             hold: Hold::Go,
+            arriving: 0,
             wanted: 0,
             requests: Vec::new(),
             outputs: Outputs::default(),
             spindles: [spindle(1), spindle(2)],
+            cutting: Cutting::default(),
             feed_percent: 100,
             speed_percent: 100,
             announced: false,
@@ -186,6 +198,8 @@ impl Motion {
         self.wheel = Wheel::default();
         self.outputs = Outputs::default();
         (self.path, self.block, self.hold, self.wanted) = (None, BlockState::None, Hold::Go, 0);
+        self.arriving = 0;
+        self.cutting = Cutting::default();
         self.requests.clear();
         self.announced = false;
     }
@@ -204,34 +218,47 @@ impl Motion {
         self.assign(cells, &signals);
         self.move_block(&signals, &feed);
         self.move_axes(cells, &signals, &feed);
+        self.cut(cells);
         for (nth, spindle) in self.spindles.iter_mut().enumerate() {
             let port = spindle.axis.or(spindle.port);
             let value = port.and_then(|port| self.outputs.values.get(port)).copied().unwrap_or(0);
-            spindle.tick(cells, nth == 0, value, self.speed_percent);
+            let cutting = if nth == 0 { self.cutting.output } else { None };
+            spindle.tick(cells, nth == 0, value, self.speed_percent, cutting);
         }
         self.tell(cells, &signals);
+        self.let_go();
     }
 
-    /// A block of the part program moves its axes, as soon as it is not held. An axis that something else moves, or that
-    /// the program holds, is [`Refused::Busy`]; then nothing moves.
-    pub fn begin_block(&mut self, block: &BlockMove) -> Result<(), Refused> {
-        if self.path.is_some() {
+    /// A block of the part program takes its axes and requests their motion; they wait for
+    /// [`release_block`](Motion::release_block). An axis that something else moves, or that the program holds, is
+    /// [`Refused::Busy`]; then none is taken.
+    pub fn begin_block(&mut self, cells: &mut Cells<'_>, block: &BlockMove) -> Result<(), Refused> {
+        let taken = |(axis, way): (&Axis, &f64)| {
+            *way != 0.0 && (axis.work != Work::Free || axis.ramp.velocity != 0.0)
+        };
+        if self.path.is_some() || self.axes.iter().zip(&block.travel).any(taken) {
             return Err(Refused::Busy);
-        }
-        for (number, _) in &block.travel {
-            if self.axes[index(*number)?].work != Work::Free {
-                return Err(Refused::Busy);
-            }
         }
         self.path = Path::new(block, &self.axes);
         self.block = if self.path.is_some() { BlockState::Moving } else { BlockState::Done };
-        let mask = self.path.as_ref().map_or(0, Path::mask);
+        let (mask, negative) = self.path.as_ref().map_or((0, 0), |path| (path.mask(), path.negative()));
         for (index, axis) in self.axes.iter_mut().enumerate() {
             if signals::has(mask, index) {
                 axis.work = Work::Block;
             }
         }
+        // MODULE_BLOCK_INIT runs before the next tick, and looks at them to unclamp axes.
+        cells.set_axes(place::REQUESTED, cells.axes(place::REQUESTED) | mask);
+        cells.set_axes(place::NEGATIVE, cells.axes(place::NEGATIVE) & !mask | negative);
+        self.arriving = mask;
         Ok(())
+    }
+
+    /// The preparatory functions of the block are through: its axes may move.
+    pub fn release_block(&mut self) {
+        if let Some(path) = &mut self.path {
+            path.release();
+        }
     }
 
     /// How the last block stands.
@@ -239,10 +266,35 @@ impl Motion {
         self.block
     }
 
+    /// The last block is done and its axes are within their tolerance.
+    pub fn arrived(&self) -> bool {
+        let near = |(index, axis): (usize, &Axis)| !signals::has(self.arriving, index) || axis.in_tolerance();
+        self.block == BlockState::Done && self.axes.iter().enumerate().all(near)
+    }
+
+    /// How far an axis (1 to 16) is from a coordinate of the part program (POS0) in mm, in µm; 0 for no axis.
+    pub fn way_to(&self, axis: u8, coordinate: f64) -> f64 {
+        index(axis).map_or(0.0, |index| coordinate * units::UM - self.axes[index].coordinates[0])
+    }
+
     /// Holds block and reference runs, or lets them go on; a hold ends the positioning of spindles. In an emergency stop
     /// manual movement stops, too.
     pub fn hold(&mut self, hold: Hold) {
         self.hold = hold;
+    }
+
+    /// Something waits for the end of a hold: a block or a reference run.
+    pub fn is_held(&self) -> bool {
+        self.hold != Hold::Go && (self.path.is_some() || self.runs.iter().any(Option::is_some))
+    }
+
+    /// A hold that nobody waits for ends by itself; one of an emergency stop not before everything stands and no key
+    /// asks for manual movement.
+    fn let_go(&mut self) {
+        let emergency = self.hold == Hold::Emergency && (self.moves() || self.jog.moving() != 0);
+        if self.hold != Hold::Go && !emergency && !self.is_held() {
+            self.hold = Hold::Go;
+        }
     }
 
     /// No axis has a position error above its tolerance.
@@ -285,9 +337,11 @@ impl Motion {
         (self.feed_percent, self.speed_percent) = (feed, speed);
     }
 
-    /// A block programs a speed of spindle 1 in rev/min, which becomes PB11 and PB12; `automatic`: M40 is in force.
-    pub fn program_speed(&mut self, cells: &mut Cells<'_>, speed: u32, automatic: bool) {
-        self.spindles[0].program(cells, f64::from(speed), automatic);
+    /// A block says something about spindle 1: a programmed speed becomes PB11 and PB12, with M40 the gear follows the
+    /// speed, and the constant cutting speed comes into force or ends.
+    pub fn program_spindle(&mut self, cells: &mut Cells<'_>, block: &BlockSpindle) {
+        self.cutting.program(block);
+        self.spindles[0].program(cells, block);
     }
 
     /// A number that two of the same machine share when they go on the same way from here.

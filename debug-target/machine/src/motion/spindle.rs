@@ -3,7 +3,9 @@
 use alloc::format;
 use alloc::vec::Vec;
 
+use technol_image::op::BitRef;
 use technol_image::system::{self, motion as place};
+use technol_runtime::BlockSpindle;
 
 use super::cells::Cells;
 use super::config;
@@ -19,12 +21,21 @@ const FILTER: f64 = 0.02;
 const USUAL_SPEED: u32 = 3000;
 /// Gears that M41 to M44 select.
 const M_GEARS: usize = 4;
+/// Their group of M functions.
+const GEAR_GROUP: u8 = 3;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Gear {
+pub(crate) struct Gear {
     /// rev/min.
-    max_speed: f64,
-    max_output: f64,
+    pub(crate) max_speed: f64,
+    pub(crate) max_output: f64,
+}
+
+/// The value of a constant cutting speed, and the greatest one that an override may make of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cut {
+    pub(crate) value: f64,
+    pub(crate) most: f64,
 }
 
 /// One spindle.
@@ -39,6 +50,8 @@ pub(crate) struct Spindle {
     pub(crate) port: Option<usize>,
     pub(crate) axis: Option<usize>,
     encoder: bool,
+    /// Index of the axis that a constant cutting speed looks at.
+    pub(crate) cutting_axis: usize,
     /// rev/min with sign.
     pub(crate) actual: f64,
     average: f64,
@@ -58,7 +71,9 @@ pub(crate) fn check(spindle: &config::Spindle, earlier: &[config::Spindle], comp
         compiler.error("gear", "`max-speed` must be at least 1 and `max-output` 1 to 32767");
     }
     compiler.at_least("acceleration", spindle.acceleration, 1);
-    for (key, number) in [("port", spindle.port), ("axis", spindle.axis)] {
+    let numbers =
+        [("port", spindle.port), ("axis", spindle.axis), ("cutting-axis", Some(spindle.cutting_axis))];
+    for (key, number) in numbers {
         if number.is_some_and(|number| !(1..=16).contains(&number)) {
             compiler.error(key, "must be 1 to 16");
         }
@@ -88,6 +103,7 @@ impl Spindle {
             port: config.port.map(|number| usize::from(number.saturating_sub(1))),
             axis: config.axis.map(|number| usize::from(number.saturating_sub(1))),
             encoder: config.encoder,
+            cutting_axis: usize::from(config.cutting_axis.saturating_sub(1)),
             actual: 0.0,
             average: 0.0,
         }
@@ -98,28 +114,48 @@ impl Spindle {
         (self.actual, self.average) = (0.0, 0.0);
     }
 
-    /// A programmed speed in rev/min becomes PB11 and PB12. With M40 in force (`automatic`) the lowest gear that reaches
-    /// it is chosen first.
-    pub(crate) fn program(&self, cells: &mut Cells<'_>, speed: f64, automatic: bool) {
-        let speed = speed.clamp(0.0, self.speed_limit);
-        if automatic {
-            let usable = &self.gears[..self.gears.len().min(M_GEARS)];
-            let chosen = usable.iter().position(|gear| gear.max_speed >= speed).unwrap_or(usable.len() - 1);
-            let first = system::M41PI;
-            let others = cells.byte(first.addr) & !(0b1111 << first.bit);
-            cells.set_byte(first.addr, others | 1 << (usize::from(first.bit) + chosen));
-            follow_m_gears(cells);
+    /// With M40 in force the lowest gear that reaches the speed is chosen, when the block programs either of them; a
+    /// programmed speed becomes PB11 and PB12.
+    pub(crate) fn program(&self, cells: &mut Cells<'_>, block: &BlockSpindle) {
+        let limited = |speed: f64| speed.clamp(0.0, self.speed_limit);
+        let says = block.programmed.is_some() || block.gear_programmed;
+        if block.automatic_gear && says && block.speed > 0.0 {
+            self.choose_gear(cells, limited(block.speed));
         }
+        // The gears of this block count, whichever chose them.
+        follow_m_gears(cells);
+        let Some(speed) = block.programmed else { return };
         let gear = self.gear(cells, true);
-        let output = (speed / gear.max_speed * gear.max_output).min(gear.max_output);
+        let output = (limited(speed) / gear.max_speed * gear.max_output).min(gear.max_output);
         cells.set_word(system::PB00 + 11, rounded(output) as u16);
+        cells.set_bit(system::ZMSSPI, true);
+    }
+
+    /// The lowest gear that reaches the speed, else the highest; a change is told as one of M41 to M44.
+    fn choose_gear(&self, cells: &mut Cells<'_>, speed: f64) {
+        let usable = &self.gears[..self.gears.len().min(M_GEARS)];
+        let chosen = usable.iter().position(|gear| gear.max_speed >= speed).unwrap_or(usable.len() - 1);
+        let first = system::M41PI;
+        let before = cells.byte(first.addr);
+        let now = before & !(0b1111 << first.bit) | 1 << (usize::from(first.bit) + chosen);
+        if now != before {
+            cells.set_byte(first.addr, now);
+            cells.set_bit(BitRef { bit: system::ZMM1PI.bit + GEAR_GROUP - 1, ..system::ZMM1PI }, true);
+        }
     }
 
     /// One tick; `value` is that of its output. `first`: spindle 1, which has the cells of the programmed speed.
-    pub(crate) fn tick(&mut self, cells: &mut Cells<'_>, first: bool, value: i16, percent: u8) {
+    pub(crate) fn tick(
+        &mut self,
+        cells: &mut Cells<'_>,
+        first: bool,
+        value: i16,
+        percent: u8,
+        cutting: Option<Cut>,
+    ) {
         if first {
             follow_m_gears(cells);
-            self.tell_programmed(cells, percent);
+            self.tell_programmed(cells, percent, cutting);
         }
         let gear = self.gear(cells, first);
         let wanted = f64::from(value) / gear.max_output * gear.max_speed;
@@ -145,7 +181,7 @@ impl Spindle {
     }
 
     /// The override reaches the spindle except while a thread is cut.
-    fn tell_programmed(&self, cells: &mut Cells<'_>, percent: u8) {
+    fn tell_programmed(&self, cells: &mut Cells<'_>, percent: u8, cutting: Option<Cut>) {
         let gear = self.gear(cells, true);
         let programmed = f64::from(cells.word(system::PB00 + 11));
         let base = if cells.bit(place::SPEED_FROM_PROGRAM) {
@@ -155,7 +191,8 @@ impl Spindle {
         };
         let factor = base * f64::from(cells.word(place::SPEED_MULTIPLIER)) / 1000.0;
         let factor = if cells.bit(system::G33PI) { 1.0 } else { factor };
-        let corrected = (programmed * factor).min(gear.max_output);
+        let (wanted, most) = cutting.map_or((programmed, gear.max_output), |cut| (cut.value, cut.most));
+        let corrected = (wanted * factor).min(most.min(gear.max_output));
         let whole = rounded(corrected);
         cells.set_word(place::SPINDLE_VOLTAGE, whole as u16);
         let speed = whole as f64 / gear.max_output * gear.max_speed * 1000.0;
@@ -166,7 +203,7 @@ impl Spindle {
     }
 
     /// The gear in force; only spindle 1 has a cell for it, others are in their first.
-    fn gear(&self, cells: &Cells<'_>, first: bool) -> Gear {
+    pub(crate) fn gear(&self, cells: &Cells<'_>, first: bool) -> Gear {
         let number = if first { usize::from(cells.word(place::GEAR)) } else { 1 };
         self.gears[number.clamp(1, self.gears.len()) - 1]
     }

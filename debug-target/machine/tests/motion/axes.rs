@@ -244,7 +244,7 @@ fn a_regulator_set_has_a_gain_of_its_own() {
 #[test]
 fn all_cells_of_a_position_agree() {
     let mut bench = Bench::new("[[axis]]\nnumber=2\nincrements=5000\nstart=3");
-    bench.motion.begin_block(&BlockMove { travel: vec![(2, -1250)], feed: 600.0, rapid: false }).unwrap();
+    bench.begin(&BlockMove::at_feed(&[(2, -1250.0)], 600.0)).unwrap();
     bench.run(400);
     let at = 4;
     assert_eq!(bench.cells().dword(place::POSITION_OLD + at), -10_000);
@@ -265,10 +265,10 @@ fn all_cells_of_a_position_agree() {
 #[test]
 fn a_block_moves_its_axes_on_a_straight_line_and_waits_while_it_is_held() {
     let mut bench = Bench::new("");
-    let block = BlockMove { travel: vec![(1, 30_000), (3, -40_000)], feed: 6000.0, rapid: false };
+    let block = BlockMove::at_feed(&[(1, 30_000.0), (3, -40_000.0)], 6000.0);
     bench.motion.hold(Hold::Stop);
-    bench.motion.begin_block(&block).unwrap();
-    assert_eq!(bench.motion.begin_block(&block), Err(Refused::Busy));
+    bench.begin(&block).unwrap();
+    assert_eq!(bench.begin(&block), Err(Refused::Busy));
     assert_eq!(bench.init(1), Err(Refused::Busy));
     let watch = [
         ("MPZPI", place::ENABLE.of(2)),
@@ -293,7 +293,7 @@ fn a_block_moves_its_axes_on_a_straight_line_and_waits_while_it_is_held() {
     PO_OSXPI ##############################################__________________
     PO_OSYPI ________________________________________________________________
     PO_OSZPI ##############################################__________________
-    SM_POZPI ____############################################################
+    SM_POZPI ################################################################
     MPZ      ################________________################################
     ");
     assert!(off_line < 0.01, "{off_line}");
@@ -304,7 +304,7 @@ fn a_block_moves_its_axes_on_a_straight_line_and_waits_while_it_is_held() {
 #[test]
 fn an_axis_moved_during_a_stop_must_come_back_before_the_block_goes_on() {
     let mut bench = Bench::new("");
-    bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 600.0, rapid: false }).unwrap();
+    bench.begin(&BlockMove::at_feed(&[(1, 20_000.0)], 600.0)).unwrap();
     bench.run(500);
     bench.motion.hold(Hold::Stop);
     bench.run(100);
@@ -338,8 +338,8 @@ fn an_axis_moved_during_a_stop_must_come_back_before_the_block_goes_on() {
 fn an_emergency_stop_is_steeper_than_a_stop() {
     let way = |hold| {
         let mut bench = Bench::new("[[axis]]\nnumber=1\nacceleration=500\nacceleration-emergency=5000");
-        let block = BlockMove { travel: vec![(1, 100_000)], feed: 6000.0, rapid: false };
-        bench.motion.begin_block(&block).unwrap();
+        let block = BlockMove::at_feed(&[(1, 100_000.0)], 6000.0);
+        bench.begin(&block).unwrap();
         bench.run(500);
         let before = bench.position(1, 0);
         bench.motion.hold(hold);
@@ -369,7 +369,7 @@ fn an_emergency_stop_holds_manual_movement_and_a_stop_does_not() {
 #[test]
 fn a_restart_stops_everything_and_a_cold_one_forgets_the_positions() {
     let mut bench = Bench::new("");
-    bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 600.0, rapid: false }).unwrap();
+    bench.begin(&BlockMove::at_feed(&[(1, 20_000.0)], 600.0)).unwrap();
     bench.run(500);
     let there = bench.position(1, 0);
     bench.motion.start(false);
@@ -456,7 +456,7 @@ fn the_independent_shift_goes_beside_the_path_and_back_with_its_mode() {
     bench.set(place::OFFSET_MODE, true);
     bench.set(place::OFFSET_ACTIVE, true);
     bench.motion.select_key(1).unwrap();
-    bench.motion.begin_block(&BlockMove { travel: vec![(1, 20_000)], feed: 1200.0, rapid: false }).unwrap();
+    bench.begin(&BlockMove::at_feed(&[(1, 20_000.0)], 1200.0)).unwrap();
     bench.run(200);
     assert_eq!(bench.cells().byte(place::OFFSET_AXIS), 1);
     bench.motion.turn_wheel(-7);
@@ -487,4 +487,43 @@ fn the_independent_shift_goes_beside_the_path_and_back_with_its_mode() {
     bench.motion.turn_wheel(5);
     bench.run(200);
     near(bench.position(1, 5), 20_000.0, 0.001);
+}
+
+#[test]
+fn keys_of_the_panel_do_what_they_say() {
+    use technol_machine::motion::PanelKey;
+    let mut bench = Bench::new("[[axis]]\nnumber=2\nfeed=600");
+    bench.set(place::JOG_BEGIN, true);
+    let press = |bench: &mut Bench, key, down| bench.motion.panel_key(key, down).unwrap();
+    press(&mut bench, PanelKey::Jog(-2), true);
+    bench.run(200);
+    let slow = bench.position(2, 0);
+    assert!((-2000.0..-1500.0).contains(&slow), "10 mm/s: {slow}");
+    press(&mut bench, PanelKey::FeedPercent(0), true);
+    press(&mut bench, PanelKey::FeedPercent(0), false);
+    bench.run(100);
+    let stopped = bench.position(2, 0);
+    bench.run(100);
+    assert_eq!(bench.position(2, 0), stopped, "the potentiometer stays where it is");
+    press(&mut bench, PanelKey::FeedPercent(100), true);
+    press(&mut bench, PanelKey::JogRapid, true);
+    bench.run(500);
+    assert!(bench.is(place::JOG_RAPID) && bench.position(2, 0) < stopped - 10_000.0);
+    press(&mut bench, PanelKey::JogRapid, false);
+    press(&mut bench, PanelKey::Jog(-2), false);
+    bench.run(500);
+    let before = bench.position(1, 0);
+    bench.cells().set_word(place::WHEEL_STEP, 100);
+    press(&mut bench, PanelKey::SelectAxis(1), true);
+    bench.run(1);
+    press(&mut bench, PanelKey::Wheel(5), true);
+    press(&mut bench, PanelKey::Wheel(5), false);
+    bench.run(500);
+    assert_eq!(bench.position(1, 0) - before, 500.0);
+    bench.set(place::JOG_END, true);
+    press(&mut bench, PanelKey::HomeGroup, true);
+    bench.run(1);
+    assert!(bench.is(place::HOMING_GROUP));
+    assert_eq!(bench.motion.panel_key(PanelKey::Home(17), true), Ok(()), "asked for, and not found");
+    assert_eq!(bench.motion.panel_key(PanelKey::Jog(17), true), Err(Refused::NoSuchAxis));
 }

@@ -93,8 +93,9 @@ fn switches_follow_the_position_of_their_axis() {
         inputs[0]
     };
     assert_eq!(look(&mut plant, &motion), 0b111);
-    let block = technol_machine::motion::BlockMove { travel: vec![(1, 1500)], feed: 600.0, rapid: false };
-    motion.begin_block(&block).unwrap();
+    let block = technol_machine::motion::BlockMove::at_feed(&[(1, 1500.0)], 600.0);
+    motion.begin_block(&mut cells, &block).unwrap();
+    motion.release_block();
     (0..500).for_each(|_| motion.tick_ms(&mut cells));
     assert_eq!(look(&mut plant, &motion), 0b000, "at 2.5 mm");
     plant.set_fault("stuck", true).unwrap();

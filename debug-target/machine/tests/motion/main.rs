@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::float_cmp)] // tests; exact results are what is tested
 
 mod axes;
+mod blocks;
 mod description;
 mod homing;
 mod positioning;

@@ -2,15 +2,22 @@
 
 use technol_image::system::{self, motion as place};
 use technol_machine::Cells;
-use technol_machine::motion::{Analog, Refused, Role};
+use technol_machine::motion::{Analog, BlockMove, Refused, Role};
+use technol_runtime::BlockSpindle;
 
-use crate::support::Bench;
+use crate::support::{Bench, bit};
 
 const LATHE: &str = "[[spindle]]\nnumber=1\nport=5\nacceleration=2000\n\
                      gear=[{max-speed=400,max-output=26869},{max-speed=800,max-output=26869},{max-speed=2400}]\n";
 
-fn program(bench: &mut Bench, speed: u32, automatic: bool) {
-    bench.motion.program_speed(&mut Cells::new(&mut bench.memory), speed, automatic);
+fn near(value: f64, expected: f64, tolerance: f64) {
+    assert!((value - expected).abs() <= tolerance, "{value}, not {expected}");
+}
+
+fn program(bench: &mut Bench, speed: u32, automatic_gear: bool) {
+    let speed = f64::from(speed);
+    let block = BlockSpindle { programmed: Some(speed), speed, automatic_gear, ..BlockSpindle::default() };
+    bench.motion.program_spindle(&mut Cells::new(&mut bench.memory), &block);
 }
 
 /// M41 to M44 by number, and nothing else in the group.
@@ -70,6 +77,114 @@ fn m40_chooses_the_lowest_gear_that_reaches_the_speed() {
         assert_eq!(gears, 1 << (expected - 1), "{speed}");
     }
     assert_eq!(bench.cells().word(system::PB00 + 11), 0x7FFF, "cut to the greatest speed");
+}
+
+/// M40, speed; gear bits and whether they changed, spindle value.
+type GearRow = (Option<u8>, Option<f64>, u8, bool, u16);
+
+#[test]
+fn the_automatic_gear_follows_the_programmed_speed() {
+    let mut bench = Bench::new(
+        "[[spindle]]\nnumber=1\ngear=[{max-speed=100},{max-speed=400},{max-speed=800,max-output=26869}]",
+    );
+    let rows: [GearRow; 7] = [
+        (Some(40), None, 0, false, 0), // no speed yet
+        (None, Some(100.0), 1, true, 0x7FFF),
+        (None, Some(50.0), 1, false, 0x4000),
+        (None, Some(630.0), 4, true, 21_159),
+        (None, Some(2000.0), 4, false, 26_869),
+        (Some(42), Some(200.0), 2, false, 0x4000), // what the supervisor writes of M42 is a change of its own
+        (None, Some(90.0), 2, false, 7373),        // M42 stays
+    ];
+    let (mut automatic_gear, mut speed) = (false, 0.0);
+    let changed = bit(system::ZMM1PI.addr, 2);
+    for (m, programmed, gears, changes, value) in rows {
+        if let Some(m) = m {
+            automatic_gear = m == 40;
+            if m != 40 {
+                gear(&mut bench, m - 40);
+            }
+        }
+        speed = programmed.unwrap_or(speed);
+        bench.set(changed, false);
+        bench.set(system::ZMSSPI, false);
+        let gear_programmed = m == Some(40);
+        let block =
+            BlockSpindle { programmed, speed, automatic_gear, gear_programmed, ..BlockSpindle::default() };
+        bench.motion.program_spindle(&mut Cells::new(&mut bench.memory), &block);
+        let row = format!("{m:?} {programmed:?}");
+        assert_eq!(bench.cells().byte(system::M41PI.addr) >> system::M41PI.bit & 0xF, gears, "{row}");
+        assert_eq!(bench.is(changed), changes, "{row}");
+        assert_eq!(bench.cells().word(system::PB00 + 11), value, "{row}");
+        assert_eq!(bench.is(system::ZMSSPI), programmed.is_some(), "{row}");
+        bench.tick();
+    }
+}
+
+#[test]
+fn a_constant_cutting_speed_follows_the_axis() {
+    let toml = "[[axis]]\nnumber=2\nacceleration=5000\n[[spindle]]\nnumber=1\ncutting-axis=2\ngear=[{max-speed=2000}]";
+    let mut bench = Bench::new(toml);
+    let act = |bench: &mut Bench| {
+        [0, 1, 4, 5, 6, 7, 8].map(|nth| bench.cells().dword(place::CUTTING_SPEED_ACT + 4 * nth))
+    };
+    let word = |bench: &mut Bench| bench.cells().word(place::SPINDLE_VOLTAGE);
+    bench.begin(&BlockMove::at_feed(&[(2, 25_000.0)], 12_000.0)).unwrap();
+    bench.run(1000);
+    let on = BlockSpindle { cutting_speed: Some(90_000.0), speed_limit: 1000.0, ..BlockSpindle::default() };
+    bench.motion.program_spindle(&mut Cells::new(&mut bench.memory), &on);
+    bench.tick();
+    // 90 m/min at 25 mm is 572.958 rev/min, of 2000 rev/min at 32767.
+    assert_eq!(act(&mut bench), [90_000, 1_000_000, 200_000, 2_000_000, 0x7FFF, 572_958, 9387]);
+    assert_eq!(word(&mut bench), 9387);
+    bench.motion.set_overrides(100, 50);
+    bench.tick();
+    assert_eq!((act(&mut bench)[6], word(&mut bench)), (9387, 4694), "the override comes behind it");
+    bench.motion.set_overrides(100, 200);
+    bench.tick();
+    assert_eq!(word(&mut bench), 0x4000, "and leads no further than the limit");
+    bench.motion.set_overrides(100, 100);
+    // Towards the middle it turns faster, up to the limit: at 14.324 mm.
+    bench.begin(&BlockMove::at_feed(&[(2, -20_000.0)], 6000.0)).unwrap();
+    let mut before = 0;
+    for _ in 0..400 {
+        bench.tick();
+        let [.., turns, _] = act(&mut bench);
+        let radius = bench.position(2, 0) / 1000.0;
+        let expected = (90_000.0 / (core::f64::consts::TAU * radius)).min(1000.0) * 1000.0;
+        near(f64::from(turns), expected, 1.0 + expected * 1e-5);
+        assert!(turns >= before);
+        before = turns;
+    }
+    assert_eq!(before, 1_000_000);
+    let off = BlockSpindle::default();
+    bench.motion.program_spindle(&mut Cells::new(&mut bench.memory), &off);
+    bench.tick();
+    assert_eq!((act(&mut bench), word(&mut bench)), ([0; 7], 0), "the programmed value counts again");
+}
+
+#[test]
+fn the_program_may_give_every_number_of_the_constant_cutting_speed() {
+    let mut bench = Bench::new("[[spindle]]\nnumber=1\ngear=[{max-speed=2000}]");
+    bench.set(place::CUTTING_REQ, true);
+    let mut give = |bit, at, value| {
+        bench.set(bit, true);
+        bench.cells().set_dword(at, value);
+        bench.tick();
+        bench.cells().dword(place::CUTTING_SPEED_ACT + 28)
+    };
+    let speeds = [
+        give(place::CUTTING_RADIUS_GIVEN, place::CUTTING_RADIUS, 20_000 * 8), // no speed yet
+        give(place::CUTTING_SPEED_GIVEN, place::CUTTING_SPEED, 60_000),
+        give(place::CUTTING_DISTANCE_GIVEN, place::CUTTING_DISTANCE, -10_000 * 8),
+        give(place::CUTTING_CORRECTION_GIVEN, place::CUTTING_CORRECTION, -6000),
+        give(place::CUTTING_LIMIT_GIVEN, place::CUTTING_LIMIT, 800_000),
+        give(place::CUTTING_GEAR_GIVEN, place::CUTTING_GEAR_SPEED, 500_000),
+        give(place::CUTTING_RANGE_GIVEN, place::CUTTING_RANGE, 10_000),
+    ];
+    // v / 2πr: 60 m/min at 20 and at 10 mm, 54 m/min at 10 mm; then the limits.
+    assert_eq!(speeds, [0, 477_465, 954_930, 859_437, 800_000, 500_000, 500_000]);
+    assert_eq!(bench.cells().word(place::SPINDLE_VOLTAGE), 10_000);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use technol_image::op::{Addr, BitRef};
 use technol_image::system::{self, motion as place};
-use technol_machine::motion::{PosControl, PosMode, Refused};
+use technol_machine::motion::{BlockMove, PosControl, PosMode, Refused};
 use technol_machine::{Cells, INPUT_PORTS, MachineConfig, Motion, OUTPUT_PORTS, Plant, Signal};
 
 /// Cells of the program.
@@ -82,6 +82,13 @@ impl Bench {
         for _ in 0..millis {
             self.tick();
         }
+    }
+
+    /// A block without preparatory functions.
+    pub(crate) fn begin(&mut self, block: &BlockMove) -> Result<(), Refused> {
+        self.motion.begin_block(&mut Cells::new(&mut self.memory), block)?;
+        self.motion.release_block();
+        Ok(())
     }
 
     pub(crate) fn init(&mut self, axis: u8) -> Result<(), Refused> {

@@ -3,9 +3,7 @@
 use technol_image::op::{Arith, BitRef, Cond, Op, Source, Width};
 use technol_image::program::ModuleKind;
 use technol_image::system::{self, PB00};
-use technol_runtime::{
-    Block, BlockFlag, BlockFlags, BlockMode, BlockReal, Command, Gear, Prepared, Rejection, RuntimeEvent,
-};
+use technol_runtime::{Block, BlockFlag, BlockFlags, BlockMode, Command, Prepared, Rejection, RuntimeEvent};
 
 use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, indexed, ldr, mem, set, sto};
 
@@ -342,8 +340,8 @@ fn the_status_follows_the_block() {
     }
     let expected = [
         "_______", "RB__NCK", "RB__NCK", // the request is taken at the end of the cycle
-        "_B_S_CK", "RB__NCK", "RB__NCK", "__F__C_", // the block behind is forgotten by the stop
-        "__F__C_", "__F__C_", "__F__C_",
+        "_B_S_CK", "RB__NCK", "RB__NCK", "__FS_C_", // M01 stops behind the block
+        "__FS_C_", "__FS_C_", "__FS_C_",
     ];
     assert_eq!(seen, expected);
 }
@@ -370,47 +368,6 @@ fn groups_of_the_configuration_have_their_cells_and_bits() {
     assert_eq!(error(&[(100, 14)]), "there is no M100; M functions go from 0 to 99");
 }
 
-/// M functions, speed; gear bits and whether they changed, spindle value.
-type GearRow = (&'static [u8], Option<f64>, u8, bool, u16);
-
-#[test]
-fn the_automatic_gear_follows_the_programmed_speed() {
-    let gears = [(100, 0x7FFF), (400, 0x7FFF), (800, 26_869)];
-    let gears = gears.map(|(max_speed, max_output)| Gear { max_speed, max_output });
-    let mut bench = machine();
-    bench.plc.set_gears(&gears);
-    bench.set(READY, true);
-    let rows: [GearRow; 7] = [
-        (&[40], None, 0, true, 0), // no speed yet
-        (&[], Some(100.0), 1, true, 0x7FFF),
-        (&[], Some(50.0), 1, false, 0x3FFF),
-        (&[], Some(630.0), 4, true, 21_159),
-        (&[], Some(2000.0), 4, false, 26_869),
-        (&[42], Some(200.0), 2, true, 0x3FFF),
-        (&[], Some(90.0), 2, false, 7372), // M42 stays
-    ];
-    for (m, speed, gear, changed, value) in rows {
-        let mut prepared = Prepared::default();
-        if let Some(speed) = speed {
-            prepared.set(BlockReal::SpindleSpeed, speed);
-        }
-        let prepared = Some(Box::new(prepared));
-        bench.command(Command::StartBlock(Block {
-            m: m.into(),
-            motion_ms: 100,
-            prepared,
-            ..Block::default()
-        }));
-        bench.cycles(1);
-        let row = format!("{m:?} {speed:?}");
-        assert_eq!(bench.byte(system::M41PI.addr) >> system::M41PI.bit & 0xF, gear, "{row}");
-        assert_eq!(change_bits(&bench).contains(&3), changed, "{row}");
-        assert_eq!(bench.word(PB00 + 11), value, "{row}");
-        assert_eq!(bench.bit(system::ZMSSPI), speed.is_some(), "{row}");
-        bench.cycles(6);
-    }
-}
-
 #[test]
 fn stop_request_holds_the_movement_until_the_next_start() {
     for (request, code, stays) in
@@ -433,8 +390,63 @@ fn stop_request_holds_the_movement_until_the_next_start() {
         assert!(!bench.bit(system::PO_STOP) && bench.bit(system::BLOCK_RESTART));
         assert_eq!(bench.byte(system::STATUS_RESTART), 2);
         bench.cycles(5);
-        assert_eq!(block_events(&bench).len(), 2, "the queued block is forgotten");
+        assert_eq!(block_events(&bench).len(), 4, "the queued block follows");
         assert!(bench.bit(system::PO_POL) && !bench.bit(system::BLOCK_RESTART));
+    }
+}
+
+#[test]
+fn a_stop_in_the_closing_functions_holds_the_blocks_behind() {
+    let mut b = Builder::new();
+    b.block_module(ModuleKind::BlockInit, |b| b.ops([]));
+    b.block_module(ModuleKind::BlockDone, |b| b.tim(A + 2, Source::Int(3)));
+    b.module(ModuleKind::Main, 0, |b| b.ops([]));
+    let mut bench = b.load().started();
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(1);
+    bench.set(system::STOP_REQ, true);
+    bench.cycles(20);
+    assert_eq!(block_events(&bench), [("started", 0), ("finished", 3)]);
+    assert!(bench.bit(system::PO_STOP) && !bench.bit(system::PO_F));
+    bench.command(Command::StartBlock(block(&[], 0)));
+    bench.cycles(5);
+    assert_eq!(block_events(&bench).len(), 2, "more of the program is no start");
+    bench.command(Command::ContinueBlock);
+    bench.cycles(1);
+    assert!(!bench.bit(system::PO_STOP));
+    bench.set(system::STOP_REQ, true);
+    bench.cycles(1);
+    bench.command(Command::ContinueBlock);
+    bench.cycles(1);
+    assert_eq!(bench.byte(system::STATUS_RESTART), 4, "BLOCK_DONE");
+    bench.cycles(20);
+    assert_eq!(block_events(&bench).len(), 6);
+}
+
+#[test]
+fn the_end_of_the_part_program_is_the_end_of_its_blocks() {
+    let first = || {
+        Some(Box::new(Prepared {
+            flags: BlockFlags::default().with(BlockFlag::First),
+            ..Prepared::default()
+        }))
+    };
+    for end in [2, 30] {
+        let mut bench = machine();
+        bench.set(READY, true);
+        bench.command(Command::StartBlock(block(&[end], 40)));
+        bench.command(Command::StartBlock(block(&[10], 0)));
+        bench.cycles(10);
+        assert_eq!(block_events(&bench).len(), 2, "M{end:02}");
+        assert_eq!(bench.word(system::CNT_NEXT_BLOCKS), 0);
+        assert!(!bench.bit(system::PO_STOP) && !bench.bit(system::PO_F), "it is no stop");
+        // A program that waits behind it begins.
+        bench.command(Command::StartBlock(block(&[end], 40)));
+        bench.command(Command::StartBlock(block(&[10], 0)));
+        bench.command(Command::StartBlock(Block { prepared: first(), ..block(&[], 0) }));
+        bench.cycles(10);
+        assert_eq!(block_events(&bench).len(), 6, "M{end:02}");
     }
 }
 

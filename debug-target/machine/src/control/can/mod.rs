@@ -82,15 +82,30 @@ impl CanPacket {
 }
 
 /// A channel of the bus.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Channel {
     /// Not connected: requests are refused and nothing is sent or received.
     inactive: bool,
     /// Nobody acknowledges: packets stay in the transmit queue.
     blocked: bool,
+    /// The cable is cut: nothing is sent, and nothing arrives.
+    cut: bool,
     transmit: VecDeque<CanPacket>,
     receive: VecDeque<CanPacket>,
     sent: VecDeque<CanPacket>,
+}
+
+impl Default for Channel {
+    fn default() -> Channel {
+        Channel {
+            cut: false,
+            inactive: false,
+            blocked: false,
+            transmit: VecDeque::with_capacity(CAN_QUEUE),
+            receive: VecDeque::with_capacity(CAN_QUEUE),
+            sent: VecDeque::with_capacity(SENT),
+        }
+    }
 }
 
 /// A request of CAN_RECV_REQ.
@@ -115,7 +130,7 @@ impl Receiver {
 }
 
 /// Both channels.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct CanBus {
     channels: [Channel; 2],
     receivers: Vec<Receiver>,
@@ -123,6 +138,18 @@ pub struct CanBus {
     arrived: VecDeque<(u32, CanPacket)>,
     last_handle: u32,
     lost: u32,
+}
+
+impl Default for CanBus {
+    fn default() -> CanBus {
+        CanBus {
+            channels: Default::default(),
+            receivers: Vec::with_capacity(MAX_RECEIVERS),
+            arrived: VecDeque::with_capacity(CALLS),
+            last_handle: 0,
+            lost: 0,
+        }
+    }
 }
 
 impl CanBus {
@@ -144,9 +171,18 @@ impl CanBus {
         }
     }
 
+    /// The cable of a channel is cut, or is there.
+    pub(super) fn set_cut(&mut self, cut: impl Fn(u8) -> bool) {
+        for (can, channel) in (1..).zip(&mut self.channels) {
+            channel.cut = cut(can);
+        }
+    }
+
     /// A packet arrives: for the procedures that asked for it, else for CAN_RECV. Without room it is lost.
     pub fn feed(&mut self, can: u8, packet: CanPacket) {
-        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive) else { return };
+        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive && !channel.cut) else {
+            return;
+        };
         let room = channel.receive.len() < CAN_QUEUE;
         let wanted: Vec<u32> =
             self.receivers.iter().filter(|r| r.wants(can, packet)).map(|r| r.handle).collect();
@@ -174,7 +210,8 @@ impl CanBus {
 
     /// One millisecond.
     pub(super) fn tick(&mut self) {
-        for channel in self.channels.iter_mut().filter(|channel| !channel.blocked && !channel.inactive) {
+        let works = |channel: &&mut Channel| !channel.blocked && !channel.inactive && !channel.cut;
+        for channel in self.channels.iter_mut().filter(works) {
             for _ in 0..SENT_PER_MILLI {
                 let Some(packet) = channel.transmit.pop_front() else { break };
                 if channel.sent.len() == SENT {

@@ -1,11 +1,13 @@
 //! The EtherCAT master and its slaves (manual 26). Its instructions take several cycles; each place in the program has at
 //! most one transfer.
 
-use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use technol_runtime::{Call, FaultKind};
 
+pub(crate) mod layout;
+mod process;
+mod requests;
 mod slave;
 mod transfer;
 
@@ -27,7 +29,14 @@ pub struct EtherCat {
     goal: EcatState,
     slaves: Vec<EcatSlave>,
     answer_cycles: u32,
-    transfers: BTreeMap<u16, Transfer>,
+    /// By the number of their call, ascending. A place stays when its transfer ends, so that the next needs no memory.
+    transfers: Vec<(u16, Transfer)>,
+    /// The program starts the exchange; it has done so.
+    start_by_program: bool,
+    started: bool,
+    /// Requests of states that were taken up.
+    asked: [bool; 5],
+    image: process::Image,
 }
 
 impl Default for EtherCat {
@@ -37,7 +46,11 @@ impl Default for EtherCat {
             goal: EcatState::Operational,
             slaves: Vec::new(),
             answer_cycles: 2,
-            transfers: BTreeMap::new(),
+            transfers: Vec::new(),
+            start_by_program: false,
+            started: false,
+            asked: [false; 5],
+            image: process::Image::default(),
         }
     }
 }
@@ -65,23 +78,54 @@ impl EtherCat {
         self.answer_cycles = cycles.clamp(1, TIMEOUT - 1);
     }
 
+    /// Makes room for an instruction of the program and its longest data.
+    pub(super) fn prepare(&mut self, call: u16, len: usize) {
+        if let Err(at) = self.transfers.binary_search_by_key(&call, |(call, _)| *call) {
+            self.transfers.insert(at, (call, Transfer::with_room(len)));
+        }
+    }
+
     /// A start of the PLC: its transfers are forgotten.
     pub(super) fn start(&mut self, cold: bool) {
-        self.transfers.clear();
+        self.transfers.iter_mut().for_each(|(_, transfer)| transfer.under_way = false);
+        self.asked = [false; 5];
         if cold {
-            (self.state, self.goal) = (EcatState::Operational, EcatState::Operational);
-            self.slaves.iter_mut().for_each(EcatSlave::power_on);
+            self.power_on();
+        }
+    }
+
+    fn power_on(&mut self) {
+        self.started = false;
+        let state = if self.start_by_program { EcatState::Init } else { EcatState::Operational };
+        (self.state, self.goal) = (state, state);
+        self.slaves.iter_mut().for_each(|slave| slave.power_on(state));
+    }
+
+    /// Nobody reaches these slaves; they lose their connection and stop exchanging outputs.
+    pub(super) fn set_lost(&mut self, lost: impl Fn(u16) -> bool) {
+        for (place, slave) in (0..).zip(&mut self.slaves) {
+            slave.set_lost(lost(place));
+        }
+    }
+
+    /// Why the drive of a slave is in error.
+    pub(super) fn set_error(&mut self, error: impl Fn(u16) -> Option<u16>) {
+        for (place, slave) in (0..).zip(&mut self.slaves) {
+            if let Some(drive) = &mut slave.drive {
+                drive.machine.set_cause(error(place));
+            }
         }
     }
 
     /// A cycle of 20 ms begins.
     pub(super) fn cycle(&mut self) {
         self.state = self.state.toward(self.goal);
-        for slave in self.slaves.iter_mut().filter(|slave| !slave.silent) {
+        for slave in self.slaves.iter_mut().filter(|slave| slave.is_reached()) {
             slave.state = slave.state.toward(slave.goal);
         }
         let mut transfers = core::mem::take(&mut self.transfers);
-        for transfer in transfers.values_mut().filter(|transfer| transfer.result.is_none()) {
+        let open = |transfer: &&mut Transfer| transfer.under_way && transfer.result.is_none();
+        for transfer in transfers.iter_mut().map(|(_, transfer)| transfer).filter(open) {
             transfer.waited += 1;
             transfer.result = self.carry_out(transfer);
         }
@@ -89,45 +133,44 @@ impl EtherCat {
     }
 
     /// The result, when it is time for one.
-    fn carry_out(&mut self, transfer: &Transfer) -> Option<Result<Answer, u32>> {
-        let order = match &transfer.order {
+    fn carry_out(&mut self, transfer: &mut Transfer) -> Option<Result<Answer, u32>> {
+        let order = match transfer.order {
             Ok(order) => order,
-            Err(error) => return Some(Err(*error)),
+            Err(error) => return Some(Err(error)),
         };
         if order.slave().is_some_and(|slave| usize::from(slave) >= self.slaves.len()) {
             return Some(Err(NO_SLAVE));
         }
         let ready = match order {
-            Order::Lead { slave, goal } => self.are_in(*slave, *goal),
+            Order::Lead { slave, goal } => self.are_in(slave, goal),
             _ => transfer.waited >= self.answer_cycles && order.slave().is_none_or(|n| self.answers(n)),
         };
         match ready {
-            true => Some(self.answer(order, transfer.wanted())),
+            true => Some(self.answer(order, transfer)),
             false if transfer.waited >= TIMEOUT => Some(Err(NO_ANSWER)),
             false => None,
         }
     }
 
     fn answers(&self, slave: u16) -> bool {
-        self.slaves.get(usize::from(slave)).is_some_and(|slave| !slave.silent)
+        self.slaves.get(usize::from(slave)).is_some_and(EcatSlave::is_reached)
     }
 
     fn are_in(&self, slave: Option<u16>, goal: EcatState) -> bool {
         match slave {
-            Some(slave) => self.slaves.get(usize::from(slave)).is_some_and(|slave| slave.state == goal),
-            None => self.state == goal && self.slaves.iter().all(|slave| slave.state == goal),
+            Some(slave) => self.slaves.get(usize::from(slave)).is_some_and(|slave| slave.is_in(goal)),
+            None => self.state == goal && self.slaves.iter().all(|slave| slave.is_in(goal)),
         }
     }
 
-    fn answer(&mut self, order: &Order, wanted: u32) -> Result<Answer, u32> {
+    fn answer(&mut self, order: Order, transfer: &mut Transfer) -> Result<Answer, u32> {
         let slave = match order {
             Order::Lead { .. } => return Ok(Answer::Done),
             Order::State { slave } => {
                 let slave = slave.and_then(|slave| self.slaves.get(usize::from(slave)));
                 let state = slave.map_or(self.state, |slave| slave.state);
-                let mut data = (state as u32).to_le_bytes().to_vec();
-                data.truncate(wanted.min(STATE_LEN) as usize);
-                return Ok(Answer::Data(data));
+                let len = transfer.wanted().min(STATE_LEN) as usize;
+                return Ok(transfer.put(&(state as u32).to_le_bytes()[..len]));
             }
             _ => order.slave().and_then(|slave| self.slaves.get_mut(usize::from(slave))),
         };
@@ -135,18 +178,20 @@ impl EtherCat {
         if !slave.state.has_mailbox() {
             return Err(NO_MAILBOX);
         }
+        let data = &transfer.data;
         match order {
             Order::ReadObject { index, subindex, .. } => {
-                slave.objects.upload(*index, *subindex).map(|data| Answer::Data(data.to_vec()))
+                slave.refresh(index, subindex);
+                slave.objects.upload(index, subindex).map(|bytes| transfer.put(bytes))
             }
-            Order::WriteObject { index, subindex, data, .. } => {
-                slave.objects.download(*index, *subindex, data).map(|()| Answer::Written(data.len()))
+            Order::WriteObject { index, subindex, .. } => {
+                slave.objects.download(index, subindex, data).map(|()| Answer::Written(data.len()))
             }
             Order::ReadRegister { drive, idn, element, .. } => {
-                slave.read_register(*drive, *idn, *element).map(|data| Answer::Data(data.to_vec()))
+                slave.read_register(drive, idn, element).map(|bytes| transfer.put(bytes))
             }
-            Order::WriteRegister { drive, idn, element, data, .. } => {
-                slave.write_register(*drive, *idn, *element, data).map(|()| Answer::Written(data.len()))
+            Order::WriteRegister { drive, idn, element, .. } => {
+                slave.write_register(drive, idn, element, data).map(|()| Answer::Written(data.len()))
             }
             Order::Lead { .. } | Order::State { .. } => Ok(Answer::Done),
         }
@@ -166,20 +211,19 @@ impl EtherCat {
 
     pub(super) fn execute(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
         let (place, now) = (call.index(), call.millis());
-        let goes_on = |transfer: &&mut Transfer| now.saturating_sub(transfer.seen) <= CYCLE;
-        if let Some(transfer) = self.transfers.get_mut(&place).filter(goes_on) {
+        self.prepare(place, 0);
+        let Ok(at) = self.transfers.binary_search_by_key(&place, |(call, _)| *call) else { return Ok(()) };
+        let transfer = &mut self.transfers[at].1;
+        if transfer.under_way && now.saturating_sub(transfer.seen) <= CYCLE {
             transfer.seen = now;
-            if transfer.finish(call)? {
-                self.transfers.remove(&place);
-            }
+            transfer.under_way = !transfer.finish(call)?;
             return Ok(());
         }
-        let transfer = Transfer::begin(call)?;
+        transfer.begin(call)?;
+        transfer.finish(call)?;
         if let Ok(Order::Lead { slave, goal }) = transfer.order {
             self.lead(slave, goal);
         }
-        transfer.finish(call)?;
-        self.transfers.insert(place, transfer);
         Ok(())
     }
 }

@@ -26,7 +26,7 @@ pub(super) const BAD_ELEMENT: u32 = 7;
 pub(super) const STATE_LEN: u32 = 4;
 
 /// What to do.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Order {
     ReadObject {
         slave: u16,
@@ -37,7 +37,6 @@ pub(super) enum Order {
         slave: u16,
         index: u16,
         subindex: u8,
-        data: Vec<u8>,
     },
     ReadRegister {
         slave: u16,
@@ -50,7 +49,6 @@ pub(super) enum Order {
         drive: u8,
         idn: u16,
         element: u8,
-        data: Vec<u8>,
     },
     /// `None`: the master with all its slaves.
     Lead {
@@ -77,10 +75,12 @@ impl Order {
 }
 
 /// What came back.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// Data for the program.
-    Data(Vec<u8>),
+    /// Data for the program, in [`Transfer::data`].
+    Data,
+    /// More data than the program has room for.
+    TooLong,
     /// So many bytes were written.
     Written(usize),
     /// It is done.
@@ -96,6 +96,10 @@ pub(super) struct Transfer {
     /// Millisecond in which the program asked last.
     pub(super) seen: u64,
     pub(super) result: Option<Result<Answer, u32>>,
+    /// What is written, or what was read.
+    pub(super) data: Vec<u8>,
+    /// It was begun and its result is not taken yet.
+    pub(super) under_way: bool,
     /// Where data go, and how many were asked for.
     target: Option<Addr>,
     wanted: u32,
@@ -104,20 +108,30 @@ pub(super) struct Transfer {
 }
 
 impl Transfer {
-    /// Begins with the operands as they are now.
-    pub(super) fn begin(call: &Call<'_>) -> Result<Transfer, FaultKind> {
-        let mut transfer = Transfer {
+    /// A place for data of so many bytes.
+    pub(super) fn with_room(len: usize) -> Transfer {
+        Transfer {
             order: Err(BAD_COMMAND),
             waited: 0,
-            seen: call.millis(),
+            seen: 0,
             result: None,
+            data: Vec::with_capacity(len),
+            under_way: false,
             target: None,
             wanted: 0,
             length: None,
             flags: None,
-        };
-        transfer.order = transfer.read(call)?;
-        Ok(transfer)
+        }
+    }
+
+    /// Begins with the operands as they are now.
+    pub(super) fn begin(&mut self, call: &Call<'_>) -> Result<(), FaultKind> {
+        let mut data = core::mem::take(&mut self.data);
+        data.clear();
+        *self = Transfer { data, seen: call.millis(), ..Transfer::with_room(0) };
+        self.order = self.read(call)?;
+        self.under_way = true;
+        Ok(())
     }
 
     /// The operands as an order; the inner error goes to the program.
@@ -143,8 +157,8 @@ impl Transfer {
                     Ok(if call.service() == Service::EcatCoeRead {
                         Order::ReadObject { slave, index, subindex }
                     } else {
-                        let data = bytes(call, addr, len)?;
-                        Order::WriteObject { slave, index, subindex, data }
+                        self.keep(call, addr, len)?;
+                        Order::WriteObject { slave, index, subindex }
                     })
                 }))
             }
@@ -159,8 +173,8 @@ impl Transfer {
                     Ok(if call.service() == Service::EcatSoeRead {
                         Order::ReadRegister { slave, drive, idn, element }
                     } else {
-                        let data = bytes(call, addr, len)?;
-                        Order::WriteRegister { slave, drive, idn, element, data }
+                        self.keep(call, addr, len)?;
+                        Order::WriteRegister { slave, drive, idn, element }
                     })
                 }))
             }
@@ -203,10 +217,10 @@ impl Transfer {
         let mut error = result.as_ref().err().copied().unwrap_or(0);
         let mut count = 0;
         match (result, self.target) {
-            (Ok(Answer::Data(data)), _) if data.len() > self.wanted as usize => error = BAD_LENGTH,
-            (Ok(Answer::Data(data)), Some(addr)) => {
-                call.write(addr, data)?;
-                count = data.len();
+            (Ok(Answer::TooLong), _) => error = BAD_LENGTH,
+            (Ok(Answer::Data), Some(addr)) => {
+                call.write(addr, &self.data)?;
+                count = self.data.len();
             }
             (Ok(Answer::Written(written)), _) => count = *written,
             _ => {}
@@ -222,6 +236,22 @@ impl Transfer {
         Ok(true)
     }
 
+    /// Takes what is written.
+    fn keep(&mut self, call: &Call<'_>, addr: Addr, len: u32) -> Result<(), u32> {
+        self.data.extend_from_slice(call.bytes(addr, len).map_err(|_| BAD_LENGTH)?);
+        Ok(())
+    }
+
+    /// What was read, if the program has room for it.
+    pub(super) fn put(&mut self, bytes: &[u8]) -> Answer {
+        if bytes.len() > self.wanted as usize {
+            return Answer::TooLong;
+        }
+        self.data.clear();
+        self.data.extend_from_slice(bytes);
+        Answer::Data
+    }
+
     /// Bytes the program wants.
     pub(super) fn wanted(&self) -> u32 {
         self.wanted
@@ -231,8 +261,4 @@ impl Transfer {
 /// An unsigned operand of at most 16 bits.
 fn word(call: &Call<'_>, n: usize) -> Result<u16, FaultKind> {
     Ok(call.unsigned(n)?.unwrap_or(0) as u16)
-}
-
-fn bytes(call: &Call<'_>, addr: Addr, len: u32) -> Result<Vec<u8>, u32> {
-    call.bytes(addr, len).map(<[u8]>::to_vec).map_err(|_| BAD_LENGTH)
 }
