@@ -258,14 +258,14 @@ impl Data {
     pub(crate) fn execute<W: Witness>(
         &self,
         kind: Kind,
-        on: Machine<'_, W>,
+        mut on: Machine<'_, W>,
         rlo: bool,
         dr: i64,
     ) -> (bool, i64) {
         if kind.is(Kind::CALCULATE) {
-            (rlo, self.calculate(on, rlo, dr))
+            (rlo, self.calculate(&mut on, rlo, dr))
         } else if kind.is(Kind::COMPARE) {
-            self.compare(on, rlo, dr)
+            self.compare(&mut on, rlo, dr)
         } else {
             on.witness.term(rlo, 0, dr, 0, on.regs);
             let mut rlo = rlo;
@@ -294,7 +294,7 @@ impl Data {
     /// DR afterwards.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "as `execute`")]
-    fn calculate<W: Witness>(&self, on: Machine<'_, W>, rlo: bool, dr: i64) -> i64 {
+    fn calculate<W: Witness>(&self, on: &mut Machine<'_, W>, rlo: bool, dr: i64) -> i64 {
         let (select, shift) = (self.select, self.operand.shift);
         // All ones when it is selected.
         let if_selected = |what: u8| -i64::from(select & what != 0);
@@ -315,7 +315,7 @@ impl Data {
     /// RLO and DR afterwards.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "as `execute`")]
-    fn compare<W: Witness>(&self, on: Machine<'_, W>, rlo: bool, dr: i64) -> (bool, i64) {
+    fn compare<W: Witness>(&self, on: &mut Machine<'_, W>, rlo: bool, dr: i64) -> (bool, i64) {
         let dr = dr & i64::from(self.keep) | self.load.get(on.memory);
         let (a, b) = (signed(dr as u32, self.operand.shift), self.operand.get(on.memory));
         on.witness.term(rlo, 0, dr, b, on.regs);

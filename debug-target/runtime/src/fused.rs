@@ -1,8 +1,8 @@
 //! Fused code: stretches of bit logic and of data operations on plain cells, executed in a loop of their own.
 //!
 //! A *term* stands for an equation, or for up to three data operations. Terms need no address to be looked at again, no
-//! fault and no break-point, and they fetch their operands without a branch, so that what is left to mispredict is one
-//! jump for each term. A *stretch* is a list of terms; every operation at which a term begins has one for the rest of
+//! fault and no break-point, and they fetch their operands without a branch, so that what is left to mispredict is the
+//! kind of each term, and jumps. A *stretch* is a list of terms; every operation at which a term begins has one for the rest of
 //! it.
 
 use alloc::vec;
@@ -133,7 +133,7 @@ impl Fused {
         let (kind, data, operations) = Data::of(ops)?;
         let at = self.data.len() as u32;
         self.data.push(data);
-        Some(Term { kind: kind, operations, at })
+        Some(Term { kind, operations, at })
     }
 
     /// The equation, or as much of it as a table takes, that these begin with.
@@ -260,10 +260,10 @@ pub(crate) trait Witness {
 pub(crate) struct Unseen;
 
 impl Witness for Unseen {
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, _: bool, _: u8, _: i64, _: i64, _: &Registers) {}
 
-    #[inline(always)]
+    #[inline]
     fn skip(&mut self, _: usize) {}
 }
 
