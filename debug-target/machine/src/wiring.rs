@@ -103,14 +103,14 @@ struct Describing<'l> {
 
 impl Describing<'_> {
     fn of(&mut self, kind: &str, name: &str) -> Element<'_> {
-        let element = if name.is_empty() { kind.to_string() } else { format!("{kind} \"{name}\"") };
-        Element { element, lines: self.lines, wiring: &mut self.wiring }
+        let name = if name.is_empty() { kind.to_string() } else { format!("{kind} \"{name}\"") };
+        Element { name, lines: self.lines, wiring: &mut self.wiring }
     }
 }
 
 /// Adds the wires of one element.
 struct Element<'a> {
-    element: String,
+    name: String,
     lines: &'a [Line],
     wiring: &'a mut Wiring,
 }
@@ -121,7 +121,7 @@ impl Element<'_> {
         let whole = || parse_port(name).or_else(|| self.value(name)).map(|port| (port, true));
         let (signal, whole) = bit.or_else(whole)?;
         let place = if is_port(signal) { shown(signal, whole) } else { name.trim().into() };
-        Some(Wire { signal, whole, place, element: self.element.clone(), text: text.into() })
+        Some(Wire { signal, whole, place, element: self.name.clone(), text: text.into() })
     }
 
     /// A value of a slave: its first bit.
@@ -272,14 +272,14 @@ fn ramp(e: &Ramp, to: &mut Element<'_>) {
         let text = format!("is its target; it rises at {rise}/s and falls at {fall}/s");
         if analog::is_meant(port) {
             let measure = per_volt(e.source_per_volt);
-            to.wiring.analog.push((port.clone(), format!("{}: {text}{measure}", to.element)));
+            to.wiring.analog.push((port.clone(), format!("{}: {text}{measure}", to.name)));
         }
         to.drives(core::slice::from_ref(port), &text);
     }
     if let [input] = e.value.as_slice()
         && analog::is_meant(input)
     {
-        let text = format!("{}: its value{}", to.element, per_volt(e.value_per_volt));
+        let text = format!("{}: its value{}", to.name, per_volt(e.value_per_volt));
         to.wiring.analog.push((input.clone(), text));
     }
     for threshold in &e.thresholds {

@@ -137,7 +137,7 @@ fn local_cells_and_structures() {
     let main = " LOD AREA.KIND\n STO D1\n LOD AREA.COUNT\n STO D2\n LOD AREA.PLACE\n STO QWRD.Q1\n LOD QWRD.AREA.SUMS\n STO QWRD.Q2\n \
                 LOD CNST.77\n STO QWRD.(AREA+SUMS+8)\n LOD CNST.-1\n STO AREA.COUNT";
     let data = format!("{structure}AREA: DS 40\nD1: DS 4\nD2: DS 4\nQ1: DS 8\nQ2: DS 8");
-    let mut plc = Plc::from_source(frame::program(&data, main, ""));
+    let mut plc = Plc::from_source(&frame::program(&data, main, ""));
     plc.set("QWRD.AREA=8877665544332281h QWRD.(AREA+8)=1011121314151617h");
     plc.run(1);
     assert_eq!(

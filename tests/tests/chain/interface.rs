@@ -203,7 +203,7 @@ fn life(main: &str) -> Plc {
     let source =
         frame::program("IB: DFM I0,I1\nOB: DFM O0,O1\nN: DS 4", main, " LDR I1\n LOD CNST.1\n STO N");
     let source = source.replace(" MODULE_INIT_FINISHED\n", "");
-    Plc::from_source(source.replace("STOP\n", "MODULE_DONE\n LOD CNST.2\n STO N\nMODULE_DONE_END\nSTOP\n"))
+    Plc::from_source(&source.replace("STOP\n", "MODULE_DONE\n LOD CNST.2\n STO N\nMODULE_DONE_END\nSTOP\n"))
 }
 
 #[test]

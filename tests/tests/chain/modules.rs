@@ -14,7 +14,7 @@ fn plc(main: &str, module: &str, lines: &str) -> Plc {
     let source = frame::program(DATA, text(main).trim_end(), "");
     let begin = format!("{module}\n");
     assert!(source.contains(&begin));
-    Plc::from_source(source.replacen(&begin, &format!("{begin}{}", text(lines)), 1))
+    Plc::from_source(&source.replacen(&begin, &format!("{begin}{}", text(lines)), 1))
 }
 
 const COUNT: &str = "LOD W1 / INR / STO W1";
@@ -116,7 +116,7 @@ fn a_comment_may_follow_stop() {
     let mut source = frame::program(DATA, " LOD W1\n INR\n STO W1", "");
     assert!(source.ends_with("STOP\n"));
     source.push_str("; FL 1,O0\n");
-    let mut plc = Plc::from_source(source);
+    let mut plc = Plc::from_source(&source);
     plc.run(2);
     assert_eq!(plc.differences("W1=2 OB=0"), [""; 0]);
 }

@@ -114,8 +114,8 @@ impl Plc {
     }
 
     /// A program of this text, past MODULE_INIT.
-    pub(crate) fn from_source(source: String) -> Plc {
-        Plc::load(&source, None)
+    pub(crate) fn from_source(source: &str) -> Plc {
+        Plc::load(source, None)
     }
 
     fn load(source: &str, machine: Option<&MachineConfig>) -> Plc {
