@@ -211,6 +211,23 @@ fn severities_of_the_project_hold_for_configuration_files() {
 }
 
 #[test]
+fn m_functions_have_groups_and_the_fixed_ones_stay_in_theirs() {
+    let functions = "<Channel>\n<MFunctions>\n<MFunc No=\"91\" GroupNo=\"10\"/>\n<MFuncs No=\"92\"/>\n\
+                     <MFunc No=\"6\" ChangePos=\"1\"/>\n<MFunc No=\"3\" GroupNo=\"4\"/>\n<MFunc No=\"91\" GroupNo=\"11\"/>\n\
+                     </MFunctions>\n</Channel>\n";
+    let read = configuration::read(ConfigKind::of_path("a.ChannelConfig").expect("a kind"), functions);
+    let configuration::Contents::Channel(channel) = read.contents else { panic!("a channel") };
+    let groups: Vec<_> = channel.m_functions.iter().map(|it| (it.number, it.group)).collect();
+    assert_eq!(groups, [(91, 10), (92, 14), (6, 9), (91, 11)]);
+    let problems: Vec<_> =
+        read.problems.iter().map(|it| format!("{} {}", it.span.start.line + 1, it.message)).collect();
+    assert_eq!(
+        problems,
+        ["6 M03 belongs to group 2 and cannot be moved to group 4", "7 the number 91 stands here twice"]
+    );
+}
+
+#[test]
 fn an_edit_gives_what_a_fresh_start_gives() {
     let files = Memory::default()
         .with("main.plc", program("        MAP_IN inDoor,'inDoor'\n", ""))
@@ -324,5 +341,60 @@ proptest! {
             .with(&name, &text)
             .with("t.PlcTDef", SAMPLES[3].1);
         let _ = files.diagnostics();
+    }
+}
+
+/// `line:column message` of what is wrong in a channel of these elements, one a line.
+fn wrong_channel(elements: &str) -> Vec<String> {
+    let files = Memory::default()
+        .with("main.plc", program("", ""))
+        .with("a.ChannelConfig", format!("<C><Plc>\n{elements}\n</Plc></C>"));
+    let wrong = |d: &&Diagnostic| d.code == "T0905" || d.code == "T0907";
+    let line = |d: &Diagnostic| format!("{}:{} {}", d.span.start.line, d.span.start.column + 1, d.message);
+    let all = files.diagnostics();
+    all.iter().flat_map(|(_, list)| list.iter().filter(wrong).map(line).collect::<Vec<_>>()).collect()
+}
+
+#[test]
+fn physical_ends_that_there_are_not_or_that_have_two_sources_are_reported() {
+    for (elements, expected) in [
+        ("<Input ID='a' Port='127' Bit='7' Connected='1'/><Output ID='b' Port='95' Connected='1'/>", &[][..]),
+        (
+            "<Input ID='a' Port='128' Connected='1'/>",
+            &["1:21 Port=\"128\" of an input would be P129IN; the last one is Port=\"127\", P128IN"],
+        ),
+        (
+            "<Output ID='b' Port='96' Connected='1'/>",
+            &["1:22 Port=\"96\" of an output would be P96OUT; the last one is P95OUT"],
+        ),
+        (
+            "<Input ID='a' Port='1' Bit='8'/>",
+            &["1:29 Bit cannot be \"8\"; it needs a whole number from 0 to 7"],
+        ),
+        // Outputs that share a bit are joined; two inputs of one bit are no mistake either.
+        ("<Output ID='a' Bit='1' Connected='1'/>\n<Output ID='b' Bit='1' Connected='1'/>", &[]),
+        ("<Input ID='a' Bit='1' Connected='1'/>\n<Input ID='b' Bit='1' Invert='1' Connected='1'/>", &[]),
+        (
+            "<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1'/>",
+            &[],
+        ),
+        (
+            "<Output ID='a' Port='2' Bit='1' Connected='1'/>\n<Output ID='b' Port='2' Bit='1' Invert='1' Connected='1'/>",
+            &[
+                "2:22 b and a both drive P2OUT.1, and only one of them is inverted; outputs that share a bit need the \
+               same Invert",
+            ],
+        ),
+        (
+            "<AnalogOutput ID='a' PhysNo='3' Connected='1'/>\n<AnalogOutput ID='b' PhysNo='3' Connected='1'/>",
+            &["2:30 b and a both drive the analogue output 3; it can have one source"],
+        ),
+        (
+            "</Plc><Connections>\n<Connection Source='PLC.Output.a' Destination='PLC.Input.b' Connected='1'/>\n\
+             <Connection Source='PLC.Output.c' Destination='plc.input.B[0]' Connected='1'/>\n</Connections><Plc>",
+            &["3:48 the destination plc.input.B[0] stands here twice"],
+        ),
+    ] {
+        assert_eq!(wrong_channel(elements), expected, "{elements}");
     }
 }

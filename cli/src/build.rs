@@ -51,7 +51,7 @@ pub(crate) fn image(project: &Project) -> Result<Built, Failure> {
 }
 
 /// Prints what is wrong in configuration files: the image is made without them, but the control needs them.
-fn configuration_errors(project: &Project) -> Result<(), Failure> {
+pub(crate) fn configuration_errors(project: &Project) -> Result<(), Failure> {
     let interrupted = |_| Failure::usage("the build was interrupted");
     let paint = Paint::stderr();
     for (file, diagnostic) in project.analysis.configuration_errors().map_err(interrupted)? {

@@ -5,15 +5,17 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use technol_analysis::configuration::channel::{Parameter, ParameterKind};
+use technol_analysis::configuration::channel::{self, Channel, Parameter, ParameterKind, Point};
 use technol_analysis::configuration::constants::{Constant, ConstantValue};
 use technol_analysis::configuration::document::integer;
 use technol_analysis::configuration::messages::Message;
+use technol_analysis::configuration::places::{Place, place};
 use technol_analysis::configuration::table::{self, ColumnKind, TableDefinition};
 use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, control_text, read};
 use technol_analysis::project::LoadedProject;
 use technol_machine::{
-    Column, ControlData, MachineConfig, MessageKind, MessageText, Table, Value, ValueKind,
+    Analog, ChannelWiring, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, MessageKind,
+    MessageText, Physical, Signal, Table, Value, ValueKind,
 };
 use technol_target::{EventLog, Keep, TableWriter};
 
@@ -40,6 +42,11 @@ pub(crate) fn control_data(
     let mut keep = Keep::new(backup.or(named), writer);
     keep.load(&mut data)?;
     Ok((data, keep))
+}
+
+/// Inputs, outputs and connections of the configuration files.
+pub(crate) fn channel(project: &LoadedProject) -> ChannelWiring {
+    collect(project).0.wiring
 }
 
 /// The event log that `--log` names. `dated`: its lines begin with the time of day.
@@ -77,6 +84,8 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
                         data.parameters.entry(control_bytes(&it.id.text)).or_insert(value);
                     }
                 }
+                data.wiring.points.extend(channel.points.iter().filter_map(mapping));
+                data.wiring.connections.extend(connections(&channel));
                 let small = |number: i64| u8::try_from(number).ok();
                 let groups = channel.m_functions.iter();
                 data.m_groups.extend(groups.filter_map(|it| Some((small(it.number)?, small(it.group)?))));
@@ -103,6 +112,45 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
         sources.push((definition.id.text, found.map_or(beside, |(_, path)| path.clone())));
     }
     (data, sources)
+}
+
+/// An input or output; `None` when there is no such port, which the check reports.
+fn mapping(it: &Point) -> Option<Mapping> {
+    let channel::Conversion { scale, offset, min, max } = it.conversion;
+    let analog = |channel| Analog {
+        channel,
+        scale,
+        offset,
+        min: min.unwrap_or(f64::NEG_INFINITY),
+        max: max.unwrap_or(f64::INFINITY),
+    };
+    let bit = |signal| Physical::Bit { signal, invert: it.invert };
+    let physical = match place(it)? {
+        Place::Input { port, bit: number } => bit(Signal::Input { port, bit: number }),
+        Place::Output { port, bit: number } => bit(Signal::Output { port, bit: number }),
+        Place::AnalogInput(channel) => Physical::AnalogInput(analog(channel)),
+        Place::AnalogOutput(channel) => Physical::AnalogOutput(analog(channel)),
+    };
+    Some(Mapping {
+        id: control_bytes(&it.id.text),
+        physical,
+        connected: it.connected == Some(true),
+        default: it.default.trim().parse().unwrap_or(0.0),
+    })
+}
+
+/// The connections that are connected.
+fn connections(channel: &Channel) -> impl Iterator<Item = Connection> {
+    let connected = channel.connections.iter().filter(|it| it.connected == Some(true));
+    connected.map(|it| Connection {
+        source: it.source.text.clone(),
+        destination: it.destination.text.clone(),
+        conversion: Conversion {
+            invert: it.invert.is_some(),
+            scale: it.conversion.scale,
+            offset: it.conversion.offset,
+        },
+    })
 }
 
 /// The value of a parameter; `None` when it is not of its type, which the check reports.

@@ -22,6 +22,7 @@ const CYCLE: Duration = Duration::from_millis(20);
 /// Runs the project. Exit 0; 1 when it has errors; 2 for a wrong name or value; 3 on a PLC fault.
 pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     let project = Project::open(&arguments.path)?;
+    crate::build::configuration_errors(&project)?;
     let built = crate::build::image(&project)?;
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
@@ -33,7 +34,8 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
         let machine = machine.ok_or_else(|| {
             Failure::usage("no machine is described: name a file by `file` in `[machine]` of technol.toml")
         })?;
-        explain::explain(&machine, &program, &debug, arguments.format);
+        let channel = crate::control_data::channel(&project.loaded);
+        explain::explain(&machine, &channel, &program, &debug, arguments.format);
         return Ok(exit::OK);
     }
     // Everything that was asked for is checked before anything moves.

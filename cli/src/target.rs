@@ -28,6 +28,9 @@ pub(crate) fn target(arguments: &TargetArguments) -> Outcome {
         None => None,
     };
     let project = arguments.configuration.as_deref().map(Project::open).transpose()?;
+    if let Some(project) = &project {
+        crate::build::configuration_errors(project)?;
+    }
     let (data, keep) = crate::control_data::control_data(
         project.as_ref().map(|project| &*project.loaded),
         machine.as_ref().zip(arguments.machine.as_deref()),

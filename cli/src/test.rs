@@ -76,6 +76,7 @@ fn once(arguments: &TestArguments, look: &mut Look) -> Outcome {
     let project = Project::open(&found.project)?;
     let scenarios = scenario_files(&found);
     project.files().chain(scenarios.iter().cloned()).for_each(|file| look.add(file));
+    crate::build::configuration_errors(&project)?;
     let built = crate::build::image(&project)?;
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;

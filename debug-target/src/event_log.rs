@@ -1,5 +1,6 @@
 //! The event log: a file with the messages, faults and states of the PLC, one a line.
 
+use std::fmt::Write as _;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -55,9 +56,9 @@ impl EventLog {
                 text.push(' ');
             }
             let (seconds, rest) = (millis / 1000, millis % 1000);
-            text += &format!("{}:{:02}:{:02}.{rest:03} ", seconds / 3600, seconds / 60 % 60, seconds % 60);
-            text += &line;
-            text.push('\n');
+            let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
+            // Writing to a text does not fail.
+            let _ = writeln!(text, "{hours}:{minutes:02}:{seconds:02}.{rest:03} {line}");
         }
         if text.is_empty() {
             return Ok(());
@@ -119,7 +120,7 @@ impl EventLog {
         }
         let mut line = format!("{} PLC{:05}", kind.name(), shown.number);
         if let Some(sub_id) = shown.sub_id {
-            line += &format!(".{sub_id}");
+            let _ = write!(line, ".{sub_id}");
         }
         if !set {
             return Some(line + " removed");
@@ -131,7 +132,7 @@ impl EventLog {
         }
         let values: Vec<String> = shown.parameters.iter().flatten().map(ToString::to_string).collect();
         if !values.is_empty() {
-            line += &format!(" ({})", values.join(", "));
+            let _ = write!(line, " ({})", values.join(", "));
         }
         Some(line)
     }

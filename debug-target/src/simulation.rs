@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use technol_image::Program;
 use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
+use technol_image::system::m_group;
 use technol_machine::{
     BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown,
     SimulatedControl,
@@ -16,6 +17,9 @@ use crate::part_program;
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;
+/// The highest M function and the highest group.
+const LAST_M: u8 = 99;
+const LAST_GROUP: u8 = 14;
 /// Cycles that MODULE_DONE may take when the power is switched off.
 const LAST_CYCLES: u32 = 250;
 
@@ -130,12 +134,23 @@ impl Simulation {
         let bytes = data.backup.get(..PLC_MEM_BACKUP_LEN as usize).unwrap_or(&data.backup);
         // The system region holds the area, so this does not fail.
         let _ = self.runtime.write_memory(PLC_MEM_BACKUP, bytes);
-        // The machine file wins over the configuration; both were checked where they were read.
-        let own = &self.plant.control().m_groups;
-        let other = |(m, _): &&(u8, u8)| !own.iter().any(|(function, _)| function == m);
-        let groups: Vec<(u8, u8)> = data.m_groups.iter().filter(other).chain(own).copied().collect();
-        let _ = self.runtime.set_m_groups(&groups);
+        self.set_m_groups(&data.m_groups);
         self.control.set_data(data);
+    }
+
+    /// Groups of M functions by the configuration; the machine file wins. Both were checked where they were read: what cannot
+    /// be is left out.
+    fn set_m_groups(&mut self, configured: &[(u8, u8)]) {
+        let own = &self.plant.control().m_groups;
+        let counts = |(m, group): &&(u8, u8)| {
+            *m <= LAST_M
+                && (1..=LAST_GROUP).contains(group)
+                && m_group(*m).is_none_or(|fixed| fixed == *group)
+                && !own.iter().any(|(function, _)| function == m)
+        };
+        let groups: Vec<(u8, u8)> = configured.iter().filter(counts).chain(own).copied().collect();
+        // So this does not fail.
+        let _ = self.runtime.set_m_groups(&groups);
     }
 
     /// A regular end: what is kept while the power is off is saved.
@@ -186,10 +201,14 @@ impl Simulation {
         if running && !self.starting && self.moved != Some(self.runtime.millis()) {
             self.moved = Some(self.runtime.millis());
             self.plant.place_axes(self.control.motion());
+            self.plant.connect(&self.control, self.runtime.memory());
             for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
                 self.take(event);
             }
-            self.runtime.set_shorted(self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]));
+            self.plant.tell(&mut self.control);
+            let shorted = self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]);
+            let reported = self.control.reported(shorted, self.runtime.memory());
+            self.runtime.set_shorted(&reported);
             self.hand_over_blocks();
         }
         let (first, waiting) = (events.len(), self.runtime.waiting_blocks());

@@ -128,6 +128,49 @@ fn central_annulment_ends_what_is_going_on() {
 }
 
 #[test]
+fn m_functions_have_the_groups_of_the_configuration_and_of_the_machine() {
+    let machine = "[[m-function]]\nnumber=92\ngroup=12\n[[block]]\nat-cycle=2\nm=[91,92,93]\nmotion-ms=40\n";
+    let mut simulation = simulation(machine);
+    // M03 cannot be moved, and there is no M100 nor a group 15.
+    let m_groups = vec![(91, 10), (92, 11), (3, 4), (100, 10), (93, 15)];
+    simulation.set_data(technol_machine::ControlData { m_groups, ..Default::default() });
+    simulation.start(true);
+    for _ in 0..4 {
+        simulation.cycle(&mut Vec::new());
+    }
+    let pb = |n: usize| simulation.runtime().memory()[technol_image::system::PB00 as usize + n];
+    assert_eq!([3, 13, 14, 16].map(pb), [0x91, 0, 0x92, 0x93], "groups 10, 11, 12 and 14");
+}
+
+#[test]
+fn a_stop_keeps_the_whole_part_program_and_m30_ends_it() {
+    let blocks = "[[block]]\nmotion-ms=30\n".repeat(20);
+    let machine = format!(
+        "[control]\nstop='P2IN.0'\nstart='P2IN.1'\n[[block]]\nat-cycle=2\n{blocks}[[block]]\nm=[30]\n{blocks}\
+         [[block]]\nat-cycle=300\nm=[3]\n"
+    );
+    let (mut simulation, mut events) = (simulation(&machine), Vec::new());
+    let finished = |events: &[RuntimeEvent]| {
+        events.iter().filter(|e| matches!(e, RuntimeEvent::BlockFinished { .. })).count()
+    };
+    simulation.start(true);
+    for cycle in 0..250 {
+        simulation.inputs_mut()[1] = match cycle {
+            20 => 1,
+            100 => 2,
+            _ => 0,
+        };
+        simulation.cycle(&mut events);
+        assert!(!(22..100).contains(&cycle) || finished(&events) < 12, "stopped");
+    }
+    assert_eq!(finished(&events), 22, "one, twenty and M30");
+    for _ in 250..310 {
+        simulation.cycle(&mut events);
+    }
+    assert_eq!(finished(&events), 23, "the next program");
+}
+
+#[test]
 fn a_program_that_is_not_sound_and_a_machine_that_is_wrong_are_refused() {
     let mut program = counter();
     program.modules[0].end = 1000;

@@ -49,9 +49,7 @@ pub(crate) fn choose(words: &[&str]) -> Result<(&'static Target, u32), String> {
     match minutes.map(str::parse) {
         None => Ok((target, MINUTES)),
         Some(Ok(minutes @ 1..=100_000)) => Ok((target, minutes)),
-        Some(_) => {
-            Err(format!("{} is no number of minutes from 1 to 100000", minutes.unwrap_or_default()))
-        }
+        Some(_) => Err(format!("{} is no number of minutes from 1 to 100000", minutes.unwrap_or_default())),
     }
 }
 
@@ -113,7 +111,8 @@ mod tests {
 
     #[test]
     fn every_target_is_built_and_its_kept_inputs_are_there() {
-        let manifest = std::fs::read_to_string(root().join("fuzz/Cargo.toml")).expect("the crate of the targets");
+        let manifest =
+            std::fs::read_to_string(root().join("fuzz/Cargo.toml")).expect("the crate of the targets");
         assert_eq!(manifest.matches("[[bin]]").count(), TARGETS.len());
         for target in TARGETS {
             assert!(manifest.contains(&format!("name = \"{}\"", target.name)), "{target:?}");

@@ -98,7 +98,7 @@ pub(super) static ENTRIES: &[Entry] = &[
              `subid` distinguishes occurrences of one message, `set` (1 shows, 0 removes, 1 when left \
              out) matters for persistent messages, `par1` to `par3` fill `%d` and `%X` of the text. `-` \
              skips an inner operand, trailing ones are left out. The procedure _ON_ESET is called when \
-             one exists. RLO and DR stay, unless that procedure changes them (this implementation). ESET \
+             one exists. RLO and DR stay, whatever that procedure does with them (this implementation). ESET \
              does not look at RLO and does not close an equation.",
             "Hlášení se vydá při každém provedení instrukce, musí ho proto hlídat podmínka nebo hrana. \
              Jeho druh, platnost a text určuje soubor hlášení projektu; 12 se zobrazí jako PLC00012. Bez \
@@ -106,7 +106,7 @@ pub(super) static ENTRIES: &[Entry] = &[
              `subid` rozlišuje výskyty téhož hlášení, `set` (1 zobrazí, 0 odstraní, bez zadání 1) má \
              význam u trvalých hlášení, `par1` až `par3` se dosadí za `%d` a `%X` v textu. `-` přeskočí \
              vnitřní operand, koncové se vynechávají. Existuje-li procedura _ON_ESET, zavolá se. RLO ani \
-             DR se nemění, pokud je nezmění tato procedura (tato implementace). ESET se na RLO neohlíží \
+             DR se nemění, ať s nimi tato procedura dělá cokoli (tato implementace). ESET se na RLO neohlíží \
              a rovnici neuzavírá.",
         ),
         examples: &[
@@ -155,7 +155,7 @@ pub(super) static ENTRIES: &[Entry] = &[
              `subid` distinguishes occurrences of one message, `set` (1 shows, 0 removes, 1 when left \
              out) matters for persistent messages, `par1` to `par3` fill `%d` and `%X` of the text. `-` \
              skips an inner operand, trailing ones are left out. The procedure _ON_ESET is called when \
-             one exists. RLO and DR stay, unless that procedure changes them (this implementation). \
+             one exists. RLO and DR stay, whatever that procedure does with them (this implementation). \
              ESET1 does all this only when RLO is 1. Terminal instruction (this implementation).",
             "Hlášení se vydá při každém provedení instrukce, musí ho proto hlídat podmínka nebo hrana. \
              Jeho druh, platnost a text určuje soubor hlášení projektu; 12 se zobrazí jako PLC00012. Bez \
@@ -163,7 +163,7 @@ pub(super) static ENTRIES: &[Entry] = &[
              `subid` rozlišuje výskyty téhož hlášení, `set` (1 zobrazí, 0 odstraní, bez zadání 1) má \
              význam u trvalých hlášení, `par1` až `par3` se dosadí za `%d` a `%X` v textu. `-` přeskočí \
              vnitřní operand, koncové se vynechávají. Existuje-li procedura _ON_ESET, zavolá se. RLO ani \
-             DR se nemění, pokud je nezmění tato procedura (tato implementace). ESET1 se provede jen při \
+             DR se nemění, ať s nimi tato procedura dělá cokoli (tato implementace). ESET1 se provede jen při \
              RLO = 1. Koncová instrukce (tato implementace).",
         ),
         examples: &[example(

@@ -115,11 +115,10 @@ pub(super) static ENTRIES: &[Entry] = &[
         description: text(
             "Optional. When a procedure of this name stands in any file, every ESET and ESET1 that \
              reports a message calls it, with the number of the message in DR. It runs inside the \
-             instruction, so what it leaves in RLO and DR is what the reporting program goes on with \
-             (this implementation).",
+             instruction; the reporting program goes on with the RLO and DR it had (this implementation).",
             "Nepovinná. Existuje-li v některém souboru procedura tohoto jména, volá ji každá instrukce \
-             ESET a ESET1, která vydá hlášení; v DR je jeho číslo. Provádí se uvnitř instrukce, takže s \
-             tím, co nechá v RLO a DR, program po hlášení pokračuje (tato implementace).",
+             ESET a ESET1, která vydá hlášení; v DR je jeho číslo. Provádí se uvnitř instrukce; \
+             program po hlášení pokračuje s RLO a DR, které měl (tato implementace).",
         ),
         examples: &[example(
             concat!(

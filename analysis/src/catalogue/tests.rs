@@ -456,3 +456,20 @@ fn the_control_knows_where_the_backed_up_memory_lies() {
     let request = data::REQ_BACKUP_MEM;
     assert_eq!(kind("REQ_BACKUP_MEM"), Some(SystemKind::Bit { addr: request.addr, bit: request.bit }));
 }
+
+#[test]
+fn the_control_finds_analogue_channels_and_drives_where_the_catalogue_puts_them() {
+    use technol_image::system::devices;
+    let kind = |name: &str| symbol(name).unwrap_or_else(|| panic!("{name}")).kind;
+    for &(name, addr) in devices::CELLS {
+        assert_eq!(kind(name).bytes().map(|(addr, _)| addr), Some(addr), "{name}");
+    }
+    for &(name, place) in devices::BITS {
+        assert_eq!(kind(name), SystemKind::Bit { addr: place.addr, bit: place.bit }, "{name}");
+    }
+    // Those of the other drives follow.
+    assert_eq!(kind("flEdrvError15"), SystemKind::Bit { addr: devices::EDRV_ERROR.addr + 1, bit: 7 });
+    assert_eq!(kind("dwEdrvDrivePos15").bytes(), Some((devices::EDRV_POSITION + 60, 4)));
+    assert_eq!(kind("AIN_CONNECTED"), SystemKind::FormalBit { bit: 0 });
+    assert_eq!(kind("AOUT_CONNECTED"), SystemKind::FormalBit { bit: 1 });
+}

@@ -2,8 +2,10 @@
 
 use technol_image::system::m_group;
 
+use super::cross::logical;
 use super::document::{Document, Element, Text};
 use super::duplicates;
+use super::places;
 use super::problem::Problem;
 use super::schema::ValueKind;
 use super::validate;
@@ -43,10 +45,27 @@ pub struct Point {
     pub default: String,
     /// `Connected`; `None` when it is left out.
     pub connected: Option<bool>,
+    /// Conversion of an analogue one.
+    pub conversion: Conversion,
+    /// Where its port or channel is given, or else its name.
+    pub place: Span,
     /// Its name in the text.
     pub name: Span,
     /// Comment behind it.
     pub note: String,
+}
+
+/// `Scale`, `Offset` and limits; what is no number counts as left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conversion {
+    /// Factor; 1 when it is left out.
+    pub scale: f64,
+    /// Shift; 0 when it is left out.
+    pub offset: f64,
+    /// Smallest value.
+    pub min: Option<f64>,
+    /// Largest value.
+    pub max: Option<f64>,
 }
 
 /// `PlcParam`.
@@ -86,6 +105,8 @@ pub struct Connection {
     pub invert: Option<Span>,
     /// Place of `Scale` or `Offset`.
     pub scale: Option<Span>,
+    /// `Scale` and `Offset`.
+    pub conversion: Conversion,
     /// `Connected`; `None` when it is left out.
     pub connected: Option<bool>,
     /// Its name.
@@ -182,6 +203,10 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
     let parameters = channel.parameters.iter().map(|it| (it.id.text.as_str(), &it.id));
     duplicates::find(parameters, "identifier", problems);
     duplicates::find(channel.ports.iter().map(|it| (it.number, &it.place)), "number", problems);
+    let connected = channel.connections.iter().filter(|it| it.connected == Some(true));
+    let destinations = connected.map(|it| (logical::normal(&it.destination.text), &it.destination));
+    duplicates::find(destinations, "destination", problems);
+    places::check(&channel.points, problems);
     duplicates::find(channel.m_functions.iter().map(|it| (it.number, &it.place)), "number", problems);
     channel
 }
@@ -197,9 +222,26 @@ fn point(kind: ConfigElement, element: &Element) -> Option<Point> {
         invert: number("Invert") == 1,
         default: element.attribute("Default").map(|it| it.text.clone()).unwrap_or_default(),
         connected: element.attribute("Connected").map(|it| it.integer() == Some(1)),
+        conversion: conversion(element),
+        place: element
+            .attribute(if analog { "PhysNo" } else { "Port" })
+            .map_or(element.name.span, |it| it.span),
         name: element.name.span,
         note: element.note.clone(),
     })
+}
+
+fn conversion(element: &Element) -> Conversion {
+    let number = |name: &str| {
+        let number = element.attribute(name)?.text.trim().parse::<f64>().ok()?;
+        number.is_finite().then_some(number)
+    };
+    Conversion {
+        scale: number("Scale").unwrap_or(1.0),
+        offset: number("Offset").unwrap_or(0.0),
+        min: number("MinVal"),
+        max: number("MaxVal"),
+    }
 }
 
 /// An attribute that is there and not empty.
@@ -230,6 +272,7 @@ fn connection(element: &Element) -> Option<Connection> {
         destination: identifier(element, "Destination")?,
         invert: given("Invert", &[0.0]),
         scale: given("Scale", &[1.0]).or_else(|| given("Offset", &[0.0])),
+        conversion: conversion(element),
         connected: element.attribute("Connected").map(|it| it.integer() == Some(1)),
         name: element.name.span,
     })

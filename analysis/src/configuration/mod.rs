@@ -18,6 +18,7 @@ pub mod keyboard;
 mod kind;
 pub mod mentions;
 pub mod messages;
+pub mod places;
 pub mod problem;
 pub mod schema;
 pub mod table;

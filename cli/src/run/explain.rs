@@ -7,14 +7,21 @@ use technol_image::debug_info::{Scope, SymbolKind};
 use technol_image::op::{Addr, Op, Place, Source, Width};
 use technol_image::system::{IN_PORT_COUNT, IN_PORTS, OUT_PORT_COUNT, OUT_PORTS};
 use technol_image::{DebugInfo, Program};
-use technol_machine::{MachineConfig, Signal, Wire, Wiring, wiring};
+use technol_machine::{ChannelWiring, MachineConfig, Signal, Wire, Wiring, wiring};
 
 use crate::arguments::Format;
 use crate::out::say;
 
-/// Prints the machine.
-pub(super) fn explain(machine: &MachineConfig, program: &Program, debug: &DebugInfo, format: Format) {
-    let explanation = Explanation { machine, wiring: wiring(machine), uses: Uses::of(program, debug) };
+/// Prints the machine in front of a configuration of the control.
+pub(super) fn explain(
+    machine: &MachineConfig,
+    channel: &ChannelWiring,
+    program: &Program,
+    debug: &DebugInfo,
+    format: Format,
+) {
+    let explanation =
+        Explanation { machine, wiring: wiring(machine, channel), uses: Uses::of(program, debug) };
     match format {
         Format::Human => explanation.human(),
         Format::Json => say!("{}", explanation.json()),
@@ -37,8 +44,15 @@ impl Explanation<'_> {
         self.wires("What the outputs drive", &outputs);
         self.wires("What drives the inputs", &self.wiring.driven.iter().collect::<Vec<_>>());
         self.wires("What inputs drive besides the program", &inputs);
-        section("Keys", self.wiring.keys.iter().map(|(name, does)| (name.clone(), does.clone())));
-        section("Faults", self.wiring.faults.iter().map(|(name, does)| (name.clone(), does.clone())));
+        for (title, rows) in [
+            ("Analogue inputs and outputs", &self.wiring.analog),
+            ("Identifiers", &self.wiring.identifiers),
+            ("Buses and licences", &self.wiring.buses),
+            ("Keys", &self.wiring.keys),
+            ("Faults", &self.wiring.faults),
+        ] {
+            section(title, rows.iter().cloned());
+        }
         section("Blocks", self.wiring.blocks.iter().map(|block| (block.clone(), String::new())));
         let unconnected = self.unconnected();
         let rows = unconnected.iter().cloned();
@@ -48,7 +62,7 @@ impl Explanation<'_> {
     fn wires(&self, title: &str, wires: &[&Wire]) {
         let rows = wires.iter().map(|wire| {
             let name = self.uses.name(wire.signal).filter(|_| !wire.whole);
-            let place = at(wire.signal, wire.whole);
+            let place = wire.place.clone();
             let place = name.map_or_else(|| place.clone(), |name| format!("{place} {name}"));
             (place, format!("{}: {}", wire.element, wire.text))
         });
@@ -71,7 +85,7 @@ impl Explanation<'_> {
         let wires = |wires: &[Wire]| {
             let rows = wires.iter().map(|wire| {
                 json!({
-                    "signal": at(wire.signal, wire.whole),
+                    "signal": wire.place,
                     "name": self.uses.name(wire.signal).filter(|_| !wire.whole),
                     "element": wire.element,
                     "text": wire.text,
@@ -85,6 +99,9 @@ impl Explanation<'_> {
         json!({
             "drives": wires(&self.wiring.drives),
             "driven": wires(&self.wiring.driven),
+            "analog": pairs(&self.wiring.analog),
+            "identifiers": pairs(&self.wiring.identifiers),
+            "buses": pairs(&self.wiring.buses),
             "keys": pairs(&self.wiring.keys),
             "faults": pairs(&self.wiring.faults),
             "blocks": self.wiring.blocks,

@@ -106,6 +106,7 @@ impl Fixture {
         Fixture { program, debug, mechanisms, machines }
     }
 
+    #[cfg(test)]
     pub(super) fn names(&self) -> Names<'_> {
         Names { program: &self.program, debug: &self.debug, mechanisms: &self.mechanisms }
     }

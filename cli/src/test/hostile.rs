@@ -19,15 +19,15 @@ const STEPS: usize = 12;
 const SEEDS: &[&str] = &[
     "machine = 'none'\nnever = ['GO && DONE && LAMP', 'COUNT > 100']\nalways = { small = 'SMALL < 9' }\n\n[[test]]\nname = 'all'\n\n\
      [[test.step]]\nname = 'go'\nset = { GO = 1, COUNT = -5, SMALL = '0Fh', TEXT = 'mill', P2IN.3 = true }\nuntil = 'LAMP || COUNT == -4'\n\
-     at-least = 20\nat-most = '10 cycles'\n\n[[test.step]]\nwait = '0.3 s'\nend = 'small'\nexpect = { COUNT = '>= -5', LAMP = 1 }\n\
+     at-least = 20\nat-most = '10 cycles'\n\n[[test.step]]\nwait = '1 s'\nend = 'small'\nexpect = { COUNT = '>= -5', LAMP = 1 }\n\
      state = { WORK = 'TEX0' }\nno-message = 77\n\n[[test.step]]\nwait = '8 cycles'\nmessage = 77\nno-message = true\n",
-    "[[test]]\nname = 'machine'\npart-program = false\nstep = [\n { press = 'start', fault = ['stuck'], wait = 60 },\n \
+    "[[test]]\nname = 'machine'\npart-program = true\nstep = [\n { press = 'start', fault = ['stuck'], wait = 60 },\n \
      { release = ['start'], repair = 'stuck', start = 'warm', wait = '2 cycles' },\n { block = { m = [3, 8], s = 1200, t = 4, h = 1, \
      motion-ms = 50, rapid = true }, wait = 100, plc-fault = 'division' },\n]\n[[test]]\nname = 'stop'\nstep = [\n { stop = 'power-off', \
      wait = 40 },\n { start = 'cold', wait = 40 },\n { clear = true, halt = true, central-annulment = true, wait = 40 },\n]\n",
-    "[[test]]\nname = 'conditions'\nstep = [\n { until = 'MECH(WORK) == idle && !(GO || RISES(LAMP)) && CYCLE > 3', at-most = 200 },\n \
-     { expect = { TEXT = 'lathe', ROOM = 0, 'P1IN.0' = 0 }, always = 'MESSAGE(77) || COUNT <= 0FFh' },\n { set = { SMALL = 3 }, \
-     until = 'SMALL == 3 && TEXT != \\'x\\'', at-most = '1 s' },\n]\n",
+    "[[test]]\nname = 'conditions'\nstep = [\n { until = 'MECH(WORK) == idle && !GO || LAMP', at-most = 200 },\n \
+     { expect = { TEXT = 'lathe', COUNT = '<= 5' }, always = 'MESSAGE(77) || COUNT <= 0FFh' },\n { set = { SMALL = 3 }, \
+     until = \"SMALL == 3 && TEXT != 'x'\", at-most = '1 s', screen = false, listed = 7, not-listed = [77] },\n]\n",
 ];
 
 /// The scenarios that changes begin from.

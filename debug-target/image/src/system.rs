@@ -7,6 +7,7 @@
 use crate::op::{Addr, BitRef};
 
 pub mod data;
+pub mod devices;
 pub mod motion;
 
 /// P1IN … P128IN: input ports.

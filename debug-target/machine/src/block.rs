@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::compile::Compiler;
 use crate::config;
-use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
+use crate::signal::{InputImage, OutputImage, Signal};
 
 /// How a block is started.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -170,12 +170,7 @@ impl Program {
     }
 
     /// The blocks to start in this millisecond.
-    pub(crate) fn step(
-        &mut self,
-        millis: u64,
-        outputs: &[u8; OUTPUT_PORTS],
-        inputs: &[u8; INPUT_PORTS],
-    ) -> &[BlockStart] {
+    pub(crate) fn step(&mut self, millis: u64, outputs: &OutputImage, inputs: &InputImage) -> &[BlockStart] {
         let starts = match self.trigger {
             Trigger::AtCycle(cycle) => millis.is_multiple_of(20) && millis / 20 == cycle,
             Trigger::Rising(signal) => {

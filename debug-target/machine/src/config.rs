@@ -9,10 +9,12 @@ use serde::Deserialize;
 use crate::block::{BlockFlag, BlockMode};
 pub use crate::control::elements::config::{Input, Link, Number, Output, Value};
 use crate::drive::{Outputs, Signals};
-use crate::motion::{PanelKey, Thousandths};
 use crate::motion::config::{Axis, Spindle};
+use crate::motion::{PanelKey, Thousandths};
 
-pub use crate::control::config::{CanDrive, CanUnit, Kind, Licences, Object, Register, Serial, Slave};
+pub use crate::control::config::{
+    CanDrive, CanUnit, Kind, Licences, Master, Object, ProcessData, ProcessType, Register, Serial, Slave,
+};
 
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -68,6 +70,8 @@ pub struct MachineConfig {
     pub can_unit: Vec<CanUnit>,
     /// `[[can-drive]]`.
     pub can_drive: Vec<CanDrive>,
+    /// `[ethercat-master]`.
+    pub ethercat_master: Master,
     /// `[[ethercat]]`.
     pub ethercat: Vec<Slave>,
 }
@@ -260,9 +264,11 @@ pub struct Ramp {
     pub name: String,
     /// Towards `high` while on, towards `low` while off…
     pub output: Option<Outputs>,
-    /// …or towards the number in these output ports, lowest byte first.
-    #[serde(default)]
+    /// …or towards the number in these output ports, lowest byte first, or the voltage of an analogue output.
+    #[serde(default, deserialize_with = "crate::drive::names")]
     pub source: Vec<String>,
+    /// Units for each volt of the source; 1 unless given.
+    pub source_per_volt: Option<Thousandths>,
     /// Smallest value.
     #[serde(default)]
     pub low: u32,
@@ -274,9 +280,11 @@ pub struct Ramp {
     pub fall_per_s: Option<Thousandths>,
     /// At first; `low` unless given.
     pub initially: Option<u32>,
-    /// Input ports that hold the value in binary, lowest byte first.
-    #[serde(default)]
+    /// Input ports that hold the value in binary, lowest byte first, or an analogue input that has its voltage.
+    #[serde(default, deserialize_with = "crate::drive::names")]
     pub value: Vec<String>,
+    /// Units for each volt of the analogue input; 1 unless given.
+    pub value_per_volt: Option<Thousandths>,
     /// Switches.
     #[serde(default)]
     pub thresholds: Vec<Threshold>,
@@ -395,8 +403,14 @@ pub struct Fault {
     pub input: Option<String>,
     /// …or the output that is `broken` or `shorted`…
     pub output: Option<String>,
-    /// …or the element, by its name, that is `stuck`, `jammed` or `slow`.
+    /// …or the element, by its name, that is `stuck`, `jammed` or `slow`…
     pub element: Option<String>,
+    /// …or the EtherCAT slave, by its name, that is `lost`, `cut` or has an `error`…
+    pub slave: Option<String>,
+    /// …or the CAN drive, by its axis, that is `lost` or has an `error`…
+    pub can_drive: Option<u8>,
+    /// …or the CAN channel that is `cut`.
+    pub can: Option<u8>,
     /// It stays at this value.
     pub stuck: Option<bool>,
     /// The wire is broken: an input is off, an output does not reach the machine.
@@ -407,6 +421,12 @@ pub struct Fault {
     pub jammed: Option<bool>,
     /// Everything the element does takes so many times as long.
     pub slow: Option<u32>,
+    /// A slave or drive that nobody reaches.
+    pub lost: Option<bool>,
+    /// The cable is cut: in front of a slave, or of a CAN channel.
+    pub cut: Option<bool>,
+    /// The drive is in error, with this code.
+    pub error: Option<u16>,
     /// Present from the start.
     #[serde(default)]
     pub active: bool,

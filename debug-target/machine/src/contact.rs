@@ -3,7 +3,7 @@
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Drive, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
@@ -43,7 +43,7 @@ impl Contact {
         self.differs = 0;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         let driven = self.output.is_on(world.outputs);
         if driven == self.closed {
             self.differs = 0;
@@ -57,7 +57,7 @@ impl Contact {
         self.show(inputs);
     }
 
-    pub(crate) fn show(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn show(&self, inputs: &mut InputImage) {
         self.input.set(inputs, self.closed != self.invert);
     }
 }

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Watch, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Counter {
@@ -38,7 +38,7 @@ impl Counter {
         self.was_on = true;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         let on = self.pulses.is_on(world);
         let was_on = core::mem::replace(&mut self.was_on, on);
         let pulse = on && !was_on;

@@ -7,7 +7,8 @@ use core::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 
-use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, OutputBit, Signal};
+use crate::analog::Volts;
+use crate::signal::{InputImage, OutputBit, OutputImage, Signal};
 
 /// Names of outputs; the element is driven while any of them is on. Written as `"P0OUT.0"` or
 /// `["P0OUT.0", "P0OUT.1"]`.
@@ -28,6 +29,11 @@ impl<'de> Deserialize<'de> for Signals {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Names("input or output, such as \"P1IN.0\"")).map(Signals)
     }
+}
+
+/// One name or a list of them.
+pub(crate) fn names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<String>, D::Error> {
+    deserializer.deserialize_any(Names("port, such as \"P8IN\""))
 }
 
 /// Reads one name or a list of them; tells of what kind.
@@ -58,7 +64,7 @@ impl<'de> Visitor<'de> for Names {
 pub(crate) struct Drive(pub(crate) Vec<OutputBit>);
 
 impl Drive {
-    pub(crate) fn is_on(&self, outputs: &[u8; OUTPUT_PORTS]) -> bool {
+    pub(crate) fn is_on(&self, outputs: &OutputImage) -> bool {
         self.0.iter().any(|bit| bit.get(outputs))
     }
 }
@@ -77,8 +83,9 @@ impl Watch {
 /// of the elements does not count.
 #[derive(Clone, Copy)]
 pub(crate) struct World<'a> {
-    pub(crate) outputs: &'a [u8; OUTPUT_PORTS],
-    pub(crate) before: &'a [u8; INPUT_PORTS],
+    pub(crate) outputs: &'a OutputImage,
+    pub(crate) before: &'a InputImage,
+    pub(crate) volts: &'a Volts,
 }
 
 impl World<'_> {

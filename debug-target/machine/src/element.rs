@@ -2,6 +2,7 @@
 
 use alloc::string::String;
 
+use crate::analog::AnalogInputs;
 use crate::contact::Contact;
 use crate::counter::Counter;
 use crate::drive::World;
@@ -9,7 +10,7 @@ use crate::encoder::Encoder;
 use crate::latch::Latch;
 use crate::limit::Limit;
 use crate::ramp::Ramp;
-use crate::signal::INPUT_PORTS;
+use crate::signal::InputImage;
 use crate::slide::Slide;
 use crate::turret::Turret;
 
@@ -62,7 +63,7 @@ impl Mounted {
         }
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, inputs: &mut InputImage) {
         let moves = self.moves();
         match (&mut self.element, self.held) {
             (Element::Contact(e), Some(closed)) => {
@@ -81,6 +82,18 @@ impl Mounted {
             (Element::Counter(e), _) => e.step(world, moves, inputs),
             (Element::Ramp(e), _) => e.step(world, moves, inputs),
             (Element::Slide(e), _) => e.step(world, moves, inputs),
+        }
+    }
+
+    /// It looks at a voltage.
+    pub(crate) fn sees_volts(&self) -> bool {
+        matches!(&self.element, Element::Ramp(ramp) if ramp.sees_volts())
+    }
+
+    /// The voltages that it drives.
+    pub(crate) fn show_volts(&self, volts: &mut AnalogInputs) {
+        if let Element::Ramp(ramp) = &self.element {
+            ramp.show_volts(volts);
         }
     }
 

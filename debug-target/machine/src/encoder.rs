@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Drive, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Encoder {
@@ -26,7 +26,7 @@ impl Encoder {
         let input = config.input.as_ref().and_then(|name| compiler.driven("input", name));
         let direction = config.direction.as_ref().map(|names| compiler.drive("direction", names));
         let position =
-            config.position.iter().filter_map(|name| compiler.driven_port("position", name)).collect();
+            config.position.iter().flat_map(|name| compiler.driven_bytes("position", name)).collect();
         if config.position.len() > 8 {
             compiler.error("position", "has more than 8 ports");
         }
@@ -42,7 +42,7 @@ impl Encoder {
         self.count = 0;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         if moves && self.output.is_on(world.outputs) {
             if self.phase == 0 {
                 let down = self.direction.as_ref().is_some_and(|bit| bit.is_on(world.outputs));

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use crate::compile::Compiler;
 use crate::config;
 use crate::element::Mounted;
-use crate::signal::{INPUT_PORTS, InputBit, OUTPUT_PORTS, OutputBit};
+use crate::signal::{InputBit, InputImage, OutputBit, OutputImage};
 
 /// Times that an element may be slower.
 const SLOWEST: u32 = 1000;
@@ -31,14 +31,38 @@ enum Effect {
     Held(usize, bool),
     /// An element, by index, moves in every n-th millisecond only; 0: never.
     Pace(usize, u32),
+    /// Something on a bus.
+    Bus(BusFault),
+}
+
+/// What is wrong on a bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BusFault {
+    /// Nobody reaches the slave of this place.
+    SlaveLost(u16),
+    /// The cable is cut in front of the slave of this place: those behind are lost too.
+    EtherCatCut(u16),
+    /// The drive of this place is in error, with this code.
+    SlaveError(u16, u16),
+    /// Nobody reaches the CAN drive of this axis.
+    CanDriveLost(u8),
+    /// The CAN drive of this axis is in error, with this code.
+    CanDriveError(u8, u16),
+    /// The cable of this CAN channel is cut.
+    CanCut(u8),
 }
 
 impl Fault {
     pub(crate) fn compile(
         config: &config::Fault,
+        machine: &config::MachineConfig,
         elements: &[Mounted],
         compiler: &mut Compiler<'_>,
     ) -> Option<Fault> {
+        if is_on_bus(config) {
+            let effect = on_bus(config, machine, compiler)?;
+            return Some(Fault { name: config.name.clone(), effect, active: config.active });
+        }
         let config::Fault { input, output, element, stuck, broken, shorted, jammed, slow, .. } = config;
         let on = |flag: &Option<bool>| *flag == Some(true);
         let kinds = [stuck.is_some(), on(broken), on(shorted), on(jammed), slow.is_some()];
@@ -64,7 +88,9 @@ impl Fault {
                 compiler.error(
                     "",
                     "needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with \
-                     `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
+                     `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`; `slave` \
+                     with `lost = true`, `cut = true` or `error`; `can-drive` with `lost = true` or `error`; `can` with \
+                     `cut = true`",
                 );
                 return None;
             }
@@ -72,22 +98,30 @@ impl Fault {
         Some(Fault { name: config.name.clone(), effect, active: config.active })
     }
 
+    /// What it does on a bus, while it is there.
+    pub(crate) fn on_bus(&self) -> Option<BusFault> {
+        match self.effect {
+            Effect::Bus(fault) if self.active => Some(fault),
+            _ => None,
+        }
+    }
+
     /// What the machine sees of the outputs.
-    pub(crate) fn spoil_outputs(&self, outputs: &mut [u8; OUTPUT_PORTS]) {
+    pub(crate) fn spoil_outputs(&self, outputs: &mut OutputImage) {
         if let (true, Effect::Broken(bit) | Effect::Shorted(bit)) = (self.active, self.effect) {
             bit.clear(outputs);
         }
     }
 
     /// What the PLC sees of the machine.
-    pub(crate) fn spoil_inputs(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn spoil_inputs(&self, inputs: &mut InputImage) {
         if let (true, Effect::Stuck(bit, value)) = (self.active, self.effect) {
             bit.set(inputs, value);
         }
     }
 
     /// Hinders its element and marks its output.
-    pub(crate) fn act(&self, elements: &mut [Mounted], shorted: &mut [u8; OUTPUT_PORTS]) {
+    pub(crate) fn act(&self, elements: &mut [Mounted], shorted: &mut OutputImage) {
         if !self.active {
             return;
         }
@@ -105,9 +139,67 @@ impl Fault {
                     mounted.pace = if stands { 0 } else { mounted.pace.max(pace) };
                 }
             }
-            Effect::Stuck(..) | Effect::Broken(_) => {}
+            Effect::Stuck(..) | Effect::Broken(_) | Effect::Bus(_) => {}
         }
     }
+}
+
+/// It says what is wrong with one thing on a bus, and nothing else.
+fn is_on_bus(config: &config::Fault) -> bool {
+    let on = |flag: Option<bool>| flag == Some(true);
+    let flags = [config.broken, config.shorted, config.jammed];
+    let other = config.input.is_some() || config.output.is_some() || config.element.is_some();
+    let other = other || flags.iter().any(Option::is_some) || config.stuck.is_some() || config.slow.is_some();
+    let what = (on(config.lost), on(config.cut), config.error.is_some());
+    let fits = match (&config.slave, config.can_drive, config.can) {
+        (Some(_), None, None) => {
+            matches!(what, (true, false, false) | (false, true, false) | (false, false, true))
+        }
+        (None, Some(_), None) => matches!(what, (true, false, false) | (false, false, true)),
+        (None, None, Some(_)) => what == (false, true, false),
+        _ => false,
+    };
+    fits && !other
+}
+
+/// A fault on a bus.
+fn on_bus(
+    config: &config::Fault,
+    machine: &config::MachineConfig,
+    compiler: &mut Compiler<'_>,
+) -> Option<Effect> {
+    let is_cut = config.cut == Some(true);
+    let fault = if let Some(name) = &config.slave {
+        let Some(place) = machine.ethercat.iter().position(|slave| slave.name == *name) else {
+            compiler.error("slave", format!("no slave of `[[ethercat]]` is called `{name}`"));
+            return None;
+        };
+        if config.error.is_some() && !machine.ethercat[place].drive {
+            compiler.error("error", "belongs to a drive; the slave has no `drive = true`");
+            return None;
+        }
+        // There are at most 256 slaves.
+        let place = place as u16;
+        match config.error {
+            Some(code) => BusFault::SlaveError(place, code),
+            None if is_cut => BusFault::EtherCatCut(place),
+            None => BusFault::SlaveLost(place),
+        }
+    } else if let Some(axis) = config.can_drive {
+        if !machine.can_drive.iter().any(|drive| drive.axis == axis) {
+            compiler.error("can-drive", format!("no `[[can-drive]]` is that of axis {axis}"));
+            return None;
+        }
+        config.error.map_or(BusFault::CanDriveLost(axis), |code| BusFault::CanDriveError(axis, code))
+    } else {
+        let can = config.can?;
+        if !(1..=2).contains(&can) {
+            compiler.error("can", format!("{can} is not between 1 and 2"));
+            return None;
+        }
+        BusFault::CanCut(can)
+    };
+    Some(Effect::Bus(fault))
 }
 
 fn on_element(

@@ -6,7 +6,7 @@ use crate::compile::Compiler;
 use crate::config;
 use crate::motion::PanelKey;
 use crate::plant::PlantEvent;
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Key {
@@ -33,7 +33,7 @@ impl Key {
         Key { name: config.name.clone(), input, invert, command, panel, pressed: false, seen: false }
     }
 
-    pub(crate) fn step(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&self, inputs: &mut InputImage) {
         if let Some(input) = self.input {
             input.set(inputs, self.pressed != self.invert);
         }

@@ -3,7 +3,7 @@
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Watch, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Latch {
@@ -33,14 +33,14 @@ impl Latch {
         self.on = on;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         if moves {
             self.on = (self.on || self.set.is_on(world)) && !self.reset.is_on(world);
         }
         self.show(inputs);
     }
 
-    pub(crate) fn show(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn show(&self, inputs: &mut InputImage) {
         self.input.set(inputs, self.on != self.invert);
     }
 }

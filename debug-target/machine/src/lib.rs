@@ -8,6 +8,7 @@
 
 extern crate alloc;
 
+mod analog;
 mod block;
 mod compile;
 pub mod config;
@@ -35,9 +36,10 @@ pub use block::{BlockExtra, BlockFlag, BlockMode, BlockStart};
 pub use compile::ConfigError;
 pub use config::MachineConfig;
 pub use control::{
-    CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, Column, ControlData, Conversion, EcatSlave, EcatState,
-    ElementError, ElementValue, EtherCat, Licences, MessageBoard, MessageKind, MessageText, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl,
-    Table, Value, ValueKind,
+    Analog, CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, ChannelWiring, Column, Connection, ControlData,
+    Conversion, EcatSlave, EcatState, ElementError, ElementValue, EtherCat, Licences, Mapping, MessageBoard,
+    MessageKind, MessageText, Physical, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl, Table,
+    Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};

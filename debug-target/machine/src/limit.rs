@@ -3,7 +3,7 @@
 use crate::compile::Compiler;
 use crate::config::{self, End};
 use crate::drive::{Drive, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Limit {
@@ -55,7 +55,7 @@ impl Limit {
         self.position = self.initially;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         let forward = self.forward.is_on(world.outputs);
         let backward = self.backward.as_ref().map_or(!forward, |bit| bit.is_on(world.outputs));
         // Driven both ways at once it stands still.

@@ -6,17 +6,19 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use technol_image::program::FASTEST_PERIODS;
+use technol_image::system::devices::{ANALOG_CHANNELS, ANALOG_OUTPUT};
 
+use crate::analog::{AnalogInputs, Volts};
 use crate::block::{BlockStart, Program};
 use crate::compile::{Compiler, ConfigError};
 use crate::config::MachineConfig;
 use crate::contact::Contact;
-use crate::control::elements;
+use crate::control::{SimulatedControl, elements, ethercat};
 use crate::counter::Counter;
 use crate::drive::World;
 use crate::element::{Element, Mounted};
 use crate::encoder::Encoder;
-use crate::fault::Fault;
+use crate::fault::{BusFault, Fault};
 use crate::key::Key;
 use crate::latch::Latch;
 use crate::limit::Limit;
@@ -24,7 +26,7 @@ use crate::motion::switch::AxisSwitch;
 use crate::motion::{self, Motion, PanelKey};
 use crate::ramp::Ramp;
 use crate::settings::{self, ControlKey, ControlKeys, ControlSettings};
-use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
+use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, INPUT_PORTS, InputImage, OUTPUT_PORTS, OutputImage, Signal};
 use crate::slide::Slide;
 use crate::turret::Turret;
 
@@ -97,6 +99,24 @@ pub struct Plant {
     /// 0: the default.
     fastest_period: u16,
     fast_outputs: Vec<u8>,
+    /// What slaves on buses give, and what they were given.
+    bus_inputs: Bytes<BUS_INPUTS>,
+    bus_outputs: Bytes<BUS_OUTPUTS>,
+    has_slaves: bool,
+    bus_faults: Vec<BusFault>,
+    volts: Volts,
+    sees_volts: bool,
+    analog_inputs: AnalogInputs,
+}
+
+/// Bytes, all 0 at first.
+#[derive(Clone, Debug)]
+struct Bytes<const N: usize>([u8; N]);
+
+impl<const N: usize> Default for Bytes<N> {
+    fn default() -> Bytes<N> {
+        Bytes([0; N])
+    }
 }
 
 impl Plant {
@@ -109,7 +129,8 @@ impl Plant {
         config: &MachineConfig,
         resolve: &dyn Fn(&str) -> Option<Signal>,
     ) -> Result<Plant, Vec<ConfigError>> {
-        let mut compiler = Compiler::new(resolve);
+        let lines = ethercat::layout::lines(&config.ethercat);
+        let mut compiler = Compiler::new(resolve, &lines);
         let mut plant = Plant::default();
         plant.mount(config, &mut compiler);
         for (index, key) in config.key.iter().enumerate() {
@@ -120,12 +141,14 @@ impl Plant {
         for (index, fault) in config.fault.iter().enumerate() {
             compiler.enter("fault", Some(index));
             compiler.unique(&fault.name, config.fault[..index].iter().map(|f| f.name.as_str()));
-            plant.faults.extend(Fault::compile(fault, &plant.elements, &mut compiler));
+            plant.faults.extend(Fault::compile(fault, config, &plant.elements, &mut compiler));
         }
         plant.programs = Program::compile(&config.block, &mut compiler);
         plant.control_keys = ControlKeys::compile(config, &mut compiler);
         plant.control = settings::settings(config, &mut compiler);
         plant.apply_faults();
+        plant.has_slaves = !lines.is_empty();
+        plant.sees_volts = plant.elements.iter().any(Mounted::sees_volts);
         elements::config::check(config, &mut compiler);
         crate::control::config::check(config, &mut compiler);
         compiler.enter("io", None);
@@ -200,36 +223,62 @@ impl Plant {
 
     /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are.
     pub fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) -> Vec<PlantEvent> {
-        let before = *inputs;
-        let mut outputs = *outputs;
+        let (mut image, mut seen) = (self.input_image(inputs), self.output_image(outputs));
+        let before = image;
         for fault in &self.faults {
-            fault.spoil_outputs(&mut outputs);
+            fault.spoil_outputs(&mut seen);
         }
-        let world = World { outputs: &outputs, before: &before };
+        let world = World { outputs: &seen, before: &before, volts: &self.volts };
         for mounted in &mut self.elements {
-            mounted.step(world, inputs);
+            mounted.step(world, &mut image);
         }
         for switch in &self.switches {
-            switch.step(inputs);
+            switch.step(&mut image);
         }
         for key in &self.keys {
-            key.step(inputs);
+            key.step(&mut image);
         }
         for fault in &self.faults {
-            fault.spoil_inputs(inputs);
+            fault.spoil_inputs(&mut image);
         }
+        inputs.copy_from_slice(&image[..INPUT_PORTS]);
+        self.bus_inputs.0.copy_from_slice(&image[INPUT_PORTS..]);
+        self.analog_inputs.clear();
+        for mounted in &self.elements {
+            mounted.show_volts(&mut self.analog_inputs);
+        }
+        self.events(&seen, &image)
+    }
+
+    fn input_image(&self, ports: &[u8; INPUT_PORTS]) -> InputImage {
+        let mut image = [0; INPUT_PORTS + BUS_INPUTS];
+        image[..INPUT_PORTS].copy_from_slice(ports);
+        image[INPUT_PORTS..].copy_from_slice(&self.bus_inputs.0);
+        image
+    }
+
+    fn output_image(&self, ports: &[u8; OUTPUT_PORTS]) -> OutputImage {
+        let mut image = [0; OUTPUT_PORTS + BUS_OUTPUTS];
+        image[..OUTPUT_PORTS].copy_from_slice(ports);
+        image[OUTPUT_PORTS..].copy_from_slice(&self.bus_outputs.0);
+        image
+    }
+
+    /// What happens besides in a millisecond.
+    fn events(&mut self, outputs: &OutputImage, inputs: &InputImage) -> Vec<PlantEvent> {
         let mut events = Vec::new();
         events.extend(self.keys.iter_mut().flat_map(Key::events));
-        self.control_events(World { outputs: &outputs, before: inputs }, &mut events);
+        self.control_events(outputs, inputs, &mut events);
         for program in &mut self.programs {
-            let blocks = program.step(self.millis, &outputs, inputs);
+            let blocks = program.step(self.millis, outputs, inputs);
             events.extend(blocks.iter().cloned().map(PlantEvent::StartBlock));
         }
         self.millis += 1;
         events
     }
 
-    fn control_events(&mut self, world: World<'_>, events: &mut Vec<PlantEvent>) {
+    fn control_events(&mut self, outputs: &OutputImage, inputs: &InputImage, events: &mut Vec<PlantEvent>) {
+        let world = World { outputs, before: inputs, volts: &self.volts };
         let ControlKeys { start, stop, emergency_stop } = &mut self.control_keys;
         let mut down = |key: &mut Option<ControlKey>, event| {
             if key.as_mut().is_some_and(|key| key.goes_down(world)) {
@@ -258,7 +307,30 @@ impl Plant {
         self.control_keys.reset();
         if cold {
             self.elements.iter_mut().for_each(Mounted::reset);
+            self.bus_inputs = Bytes::default();
+            self.bus_outputs = Bytes::default();
         }
+    }
+
+    /// What the control gave the slaves of its buses and its analogue outputs; before each [`Plant::step`].
+    pub fn connect(&mut self, control: &SimulatedControl, memory: &[u8]) {
+        if self.has_slaves {
+            self.bus_outputs.0 = *control.bus_outputs();
+        }
+        if self.sees_volts {
+            let start = ANALOG_OUTPUT as usize;
+            let end = start + 8 * usize::from(ANALOG_CHANNELS);
+            self.volts.take(memory.get(start..end).unwrap_or_default(), control.motion().outputs());
+        }
+    }
+
+    /// What slaves and analogue inputs tell the control, and what is wrong on its buses; after each [`Plant::step`].
+    pub fn tell(&self, control: &mut SimulatedControl) {
+        if self.has_slaves {
+            control.set_bus_inputs(&self.bus_inputs.0);
+        }
+        control.set_analog_inputs(&self.analog_inputs);
+        control.set_bus_faults(&self.bus_faults);
     }
 
     /// Switches a fault.
@@ -279,10 +351,13 @@ impl Plant {
             mounted.pace = 1;
             mounted.held = None;
         }
-        let mut shorted = [0; OUTPUT_PORTS];
+        let mut image = [0; OUTPUT_PORTS + BUS_OUTPUTS];
         for fault in &self.faults {
-            fault.act(&mut self.elements, &mut shorted);
+            fault.act(&mut self.elements, &mut image);
         }
+        let mut shorted = [0; OUTPUT_PORTS];
+        shorted.copy_from_slice(&image[..OUTPUT_PORTS]);
+        self.bus_faults = self.faults.iter().filter_map(Fault::on_bus).collect();
         self.shorted = Some(shorted).filter(|ports| ports.iter().any(|port| *port != 0));
     }
 

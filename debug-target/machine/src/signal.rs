@@ -10,19 +10,28 @@ pub const INPUT_PORTS: usize = system::IN_PORT_COUNT as usize;
 /// Bytes of the output image: P0OUT … P95OUT.
 pub const OUTPUT_PORTS: usize = system::OUT_PORT_COUNT as usize;
 
-/// A bit of a port.
+/// Inputs as the machine drives them: behind those of the ports lie the bytes of slaves on buses.
+pub(crate) type InputImage = [u8; 256];
+/// Outputs as the machine sees them: behind those of the ports lie the bytes of slaves on buses.
+pub(crate) type OutputImage = [u8; 256];
+/// Bytes that slaves may give.
+pub(crate) const BUS_INPUTS: usize = 256 - INPUT_PORTS;
+/// Bytes that slaves may take.
+pub(crate) const BUS_OUTPUTS: usize = 256 - OUTPUT_PORTS;
+
+/// A bit of a port. A higher port than [`INPUT_PORTS`] or [`OUTPUT_PORTS`] is a byte of a slave on a bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Signal {
     /// A bit the PLC reads.
     Input {
-        /// Index into the input image, below [`INPUT_PORTS`]; 0 is P1IN.
+        /// Index into the input image; 0 is P1IN.
         port: u8,
         /// Bit number 0..=7.
         bit: u8,
     },
     /// A bit the PLC drives.
     Output {
-        /// Index into the output image, below [`OUTPUT_PORTS`]; 0 is P0OUT.
+        /// Index into the output image; 0 is P0OUT.
         port: u8,
         /// Bit number 0..=7.
         bit: u8,
@@ -53,6 +62,12 @@ impl FromStr for Signal {
 impl fmt::Display for Signal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Signal::Input { port, bit } if usize::from(*port) >= INPUT_PORTS => {
+                write!(f, "byte {}.{bit} from the bus", usize::from(*port) - INPUT_PORTS)
+            }
+            Signal::Output { port, bit } if usize::from(*port) >= OUTPUT_PORTS => {
+                write!(f, "byte {}.{bit} to the bus", usize::from(*port) - OUTPUT_PORTS)
+            }
             Signal::Input { port, bit } => write!(f, "P{}IN.{bit}", u32::from(*port) + 1),
             Signal::Output { port, bit } => write!(f, "P{port}OUT.{bit}"),
         }
@@ -90,7 +105,7 @@ impl InputBit {
         InputBit { port, mask: 1 << bit }
     }
 
-    pub(crate) fn set(self, inputs: &mut [u8; INPUT_PORTS], value: bool) {
+    pub(crate) fn set(self, inputs: &mut InputImage, value: bool) {
         let byte = &mut inputs[usize::from(self.port)];
         *byte = if value { *byte | self.mask } else { *byte & !self.mask };
     }
@@ -108,15 +123,15 @@ impl OutputBit {
         OutputBit { port, mask: 1 << bit }
     }
 
-    pub(crate) fn get(self, outputs: &[u8; OUTPUT_PORTS]) -> bool {
+    pub(crate) fn get(self, outputs: &OutputImage) -> bool {
         outputs[usize::from(self.port)] & self.mask != 0
     }
 
-    pub(crate) fn set(self, outputs: &mut [u8; OUTPUT_PORTS]) {
+    pub(crate) fn set(self, outputs: &mut OutputImage) {
         outputs[usize::from(self.port)] |= self.mask;
     }
 
-    pub(crate) fn clear(self, outputs: &mut [u8; OUTPUT_PORTS]) {
+    pub(crate) fn clear(self, outputs: &mut OutputImage) {
         outputs[usize::from(self.port)] &= !self.mask;
     }
 }

@@ -6,7 +6,7 @@ use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Drive, World};
 use crate::motion::Thousandths;
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 struct Switch {
@@ -94,7 +94,7 @@ impl Slide {
         self.now = self.initially;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         let forward = self.forward.is_on(world.outputs);
         // Driven both ways at once it stands still.
         if moves && forward != self.backward.is_on(world.outputs) {

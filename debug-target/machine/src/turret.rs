@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use crate::compile::Compiler;
 use crate::config;
 use crate::drive::{Drive, World};
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Turret {
@@ -67,7 +67,7 @@ impl Turret {
         self.position = self.initially;
     }
 
-    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&mut self, world: World<'_>, moves: bool, inputs: &mut InputImage) {
         let forward = self.motor.is_on(world.outputs);
         let backward = self.reverse.as_ref().is_some_and(|bit| bit.is_on(world.outputs));
         if moves && forward && !backward {

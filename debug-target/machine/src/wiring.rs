@@ -4,20 +4,29 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use crate::analog;
+use crate::compile::slave_bit;
 use crate::config::{
     Block, Contact, Counter, Encoder, Fault, Key, Latch, Limit, MachineConfig, Ramp, Slide, Turret,
 };
+use crate::control::ChannelWiring;
+use crate::control::elements::identifier;
+use crate::control::ethercat::layout::{self, Line};
 use crate::motion::Thousandths;
 use crate::motion::config::Axis;
-use crate::signal::{Signal, parse_port};
+use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
+
+mod buses;
 
 /// What a signal does, or what is done to it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Wire {
     /// The bit; of a whole port bit 0.
     pub signal: Signal,
-    /// The whole port.
+    /// The whole port, or all of a value of a slave.
     pub whole: bool,
+    /// Its name: `P1IN.0`, `P8IN`, `ECAT.Valves.Outputs.Clamp`.
+    pub place: String,
     /// The element, with its name.
     pub element: String,
     /// What happens there.
@@ -31,6 +40,12 @@ pub struct Wiring {
     pub drives: Vec<Wire>,
     /// Inputs, and what drives them, by signal.
     pub driven: Vec<Wire>,
+    /// Analogue inputs and outputs, and what is done with them.
+    pub analog: Vec<(String, String)>,
+    /// Identifiers of inputs and outputs, and links, and where they lead.
+    pub identifiers: Vec<(String, String)>,
+    /// What is connected to buses.
+    pub buses: Vec<(String, String)>,
     /// Keys and what they do, in the order of the file.
     pub keys: Vec<(String, String)>,
     /// Faults and what they do, in the order of the file.
@@ -39,10 +54,12 @@ pub struct Wiring {
     pub blocks: Vec<String>,
 }
 
-/// Describes a machine that [`Plant::compile`](crate::Plant::compile) accepts; names that are wrong are left out.
+/// Describes a machine that [`Plant::compile`](crate::Plant::compile) accepts, in front of a configuration of the control;
+/// names that are wrong are left out.
 #[must_use]
-pub fn wiring(config: &MachineConfig) -> Wiring {
-    let mut wiring = Wiring::default();
+pub fn wiring(config: &MachineConfig, channel: &ChannelWiring) -> Wiring {
+    let lines = layout::lines(&config.ethercat);
+    let mut wiring = Describing { wiring: Wiring::default(), lines: &lines };
     config.contact.iter().for_each(|e| contact(e, &mut wiring.of("contact", &e.name)));
     config.limit.iter().for_each(|e| limit(e, &mut wiring.of("limit", &e.name)));
     config.encoder.iter().for_each(|e| encoder(e, &mut wiring.of("encoder", &e.name)));
@@ -62,37 +79,61 @@ pub fn wiring(config: &MachineConfig) -> Wiring {
         let names = signals.as_ref().map_or(&[][..], |signals| &signals.0);
         wiring.of("control", "").drives(names, text);
     }
-    wiring.faults = config.fault.iter().map(fault).collect();
+    wiring.wiring.faults = config.fault.iter().map(fault).collect();
     for (n, block) in config.block.iter().enumerate() {
         if let Some(name) = &block.on {
             let text = format!("starts {}", block_name(n, block));
             wiring.of("block", "").drives(core::slice::from_ref(name), &text);
         }
-        wiring.blocks.push(describe_block(n, block));
+        wiring.wiring.blocks.push(describe_block(n, block));
     }
+    let mut wiring = wiring.wiring;
     wiring.drives.sort();
     wiring.driven.sort();
+    wiring.identifiers = buses::identifiers(config, channel);
+    wiring.buses = buses::buses(config, &lines);
     wiring
 }
 
-impl Wiring {
+/// A description in progress.
+struct Describing<'l> {
+    wiring: Wiring,
+    lines: &'l [Line],
+}
+
+impl Describing<'_> {
     fn of(&mut self, kind: &str, name: &str) -> Element<'_> {
-        let element = if name.is_empty() { kind.to_string() } else { format!("{kind} \"{name}\"") };
-        Element { element, wiring: self }
+        let name = if name.is_empty() { kind.to_string() } else { format!("{kind} \"{name}\"") };
+        Element { name, lines: self.lines, wiring: &mut self.wiring }
     }
 }
 
 /// Adds the wires of one element.
 struct Element<'a> {
-    element: String,
+    name: String,
+    lines: &'a [Line],
     wiring: &'a mut Wiring,
 }
 
 impl Element<'_> {
     fn wire(&self, name: &str, text: &str) -> Option<Wire> {
-        let bit = name.parse().ok().map(|signal| (signal, false));
-        let (signal, whole) = bit.or_else(|| parse_port(name).map(|port| (port, true)))?;
-        Some(Wire { signal, whole, element: self.element.clone(), text: text.into() })
+        let bit = name.parse().ok().or_else(|| slave_bit(self.lines, name)).map(|signal| (signal, false));
+        let whole = || parse_port(name).or_else(|| self.value(name)).map(|port| (port, true));
+        let (signal, whole) = bit.or_else(whole)?;
+        let place = if is_port(signal) { shown(signal, whole) } else { name.trim().into() };
+        Some(Wire { signal, whole, place, element: self.name.clone(), text: text.into() })
+    }
+
+    /// A value of a slave: its first bit.
+    fn value(&self, name: &str) -> Option<Signal> {
+        let id = identifier(name.as_bytes()).ok()?;
+        let line = self.lines.iter().find(|line| line.id == id)?;
+        let port = |first: usize| u8::try_from(first + line.first).ok();
+        Some(if line.output {
+            Signal::Output { port: port(OUTPUT_PORTS)?, bit: 0 }
+        } else {
+            Signal::Input { port: port(INPUT_PORTS)?, bit: 0 }
+        })
     }
 
     fn drives(&mut self, names: &[String], text: &str) {
@@ -111,6 +152,20 @@ impl Element<'_> {
             self.driven(port, &format!("{what} in binary{place}"));
         }
     }
+}
+
+/// It is a bit of a port, not of a slave.
+fn is_port(signal: Signal) -> bool {
+    match signal {
+        Signal::Input { port, .. } => usize::from(port) < INPUT_PORTS,
+        Signal::Output { port, .. } => usize::from(port) < OUTPUT_PORTS,
+    }
+}
+
+/// A bit or a whole port as text.
+fn shown(signal: Signal, whole: bool) -> String {
+    let text = signal.to_string();
+    if whole { text.split('.').next().unwrap_or_default().to_string() } else { text }
 }
 
 fn any(names: &[String]) -> String {
@@ -215,7 +270,17 @@ fn ramp(e: &Ramp, to: &mut Element<'_>) {
     }
     for port in &e.source {
         let text = format!("is its target; it rises at {rise}/s and falls at {fall}/s");
+        if analog::is_meant(port) {
+            let measure = per_volt(e.source_per_volt);
+            to.wiring.analog.push((port.clone(), format!("{}: {text}{measure}", to.name)));
+        }
         to.drives(core::slice::from_ref(port), &text);
+    }
+    if let [input] = e.value.as_slice()
+        && analog::is_meant(input)
+    {
+        let text = format!("{}: its value{}", to.name, per_volt(e.value_per_volt));
+        to.wiring.analog.push((input.clone(), text));
     }
     for threshold in &e.thresholds {
         let (on, off) = (level(!threshold.invert), level(threshold.invert));
@@ -223,6 +288,10 @@ fn ramp(e: &Ramp, to: &mut Element<'_>) {
         to.driven(&threshold.input, &format!("{on} from {}, {off} below {below}", threshold.at));
     }
     to.number(&e.value, "its value");
+}
+
+fn per_volt(units: Option<Thousandths>) -> String {
+    units.map(|units| format!(", {} for a volt", decimal(units))).unwrap_or_default()
 }
 
 fn slide(e: &Slide, to: &mut Element<'_>) {
@@ -252,7 +321,7 @@ fn axis(e: &Axis, to: &mut Element<'_>) {
     }
 }
 
-fn key(e: &Key, wiring: &mut Wiring) {
+fn key(e: &Key, wiring: &mut Describing<'_>) {
     let mut does = Vec::new();
     if let Some(input) = &e.input {
         does.push(format!("{input} {} while pressed", level(!e.invert)));
@@ -262,7 +331,7 @@ fn key(e: &Key, wiring: &mut Wiring) {
         does.push(format!("tells _ON_CMD {command}"));
     }
     does.extend(e.panel.map(crate::motion::PanelKey::describe));
-    wiring.keys.push((e.name.clone(), does.join(", ")));
+    wiring.wiring.keys.push((e.name.clone(), does.join(", ")));
 }
 
 fn fault(e: &Fault) -> (String, String) {
@@ -278,12 +347,27 @@ fn fault(e: &Fault) -> (String, String) {
             (_, Some(times)) => format!("\"{element}\" takes {times} times as long"),
             _ => format!("\"{element}\" does not move"),
         },
-        _ => String::new(),
+        _ => on_bus(e),
     };
     if e.active {
         text.push_str(", from the start");
     }
     (e.name.clone(), text)
+}
+
+fn on_bus(e: &Fault) -> String {
+    let who = match (&e.slave, e.can_drive, e.can) {
+        (Some(slave), ..) => format!("\"{slave}\""),
+        (_, Some(axis), _) => format!("the CAN drive of axis {axis}"),
+        (_, _, Some(can)) => format!("CAN channel {can}"),
+        _ => return String::new(),
+    };
+    match (e.error, e.cut == Some(true), e.slave.is_some()) {
+        (Some(code), ..) => format!("{who} is in error {code:04X}h"),
+        (None, true, true) => format!("the cable is cut in front of {who}"),
+        (None, true, false) => format!("the cable of {who} is cut"),
+        (None, false, _) => format!("nobody reaches {who}"),
+    }
 }
 
 fn block_name(n: usize, block: &Block) -> String {

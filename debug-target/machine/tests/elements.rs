@@ -301,7 +301,8 @@ fn what_is_wrong_is_named_with_its_place() {
         "fault[1].stuck: only a contact or a latch can be stuck; use `jammed = true`",
         "fault[2].slow: must be 2 to 1000: how many times as long everything takes",
         "fault[3]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with \
-         `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
+         `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`; `slave` \
+         with `lost = true`, `cut = true` or `error`; `can-drive` with `lost = true` or `error`; `can` with `cut = true`",
         "block[0].integers: a block has five parameters of each kind",
         "block[0].axes: NC axes go from 0 to 15",
         "block[0].axes: needs `feed`, here or in a block before it, or `rapid = true`",

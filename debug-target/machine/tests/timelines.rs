@@ -256,8 +256,10 @@ fn everything_that_is_wrong_is_named_with_its_place() {
         "turret[0].strobe-ms: must be at least 1 and less than `station-ms`",
         "key[1].name: `a` is used twice; names must differ",
         "fault[0].name: must not be empty; it is how this is switched",
-        "fault[0]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
-        "fault[1]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`",
+        "fault[0]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`; `slave` \
+         with `lost = true`, `cut = true` or `error`; `can-drive` with `lost = true` or `error`; `can` with `cut = true`",
+        "fault[1]: needs one of: `input` with `stuck = true` or `false` or with `broken = true`; `output` with `broken = true` or `shorted = true`; `element` with `stuck`, `jammed = true` or `slow`; `slave` \
+         with `lost = true`, `cut = true` or `error`; `can-drive` with `lost = true` or `error`; `can` with `cut = true`",
         "block[0].m: M functions go from 0 to 99",
         "block[0]: the first block needs `at-cycle` or `on`",
         "block[1].on: cannot be combined with `at-cycle`",

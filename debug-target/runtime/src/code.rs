@@ -12,8 +12,9 @@ use technol_image::op::{Cond, Op, Pc};
 use technol_image::program::ModuleKind;
 
 use crate::context::NO_SEQUENCE;
+use crate::data::Data;
 use crate::equation::Table;
-use crate::fused::{self, Data, Fused, Term};
+use crate::fused::{self, Fused, Term};
 
 /// How the free-running loop executes the operation of the same index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -41,7 +41,7 @@ impl Table {
         let byte = |n: usize| u64::from(memory[usize::from(self.places[n])]) << (8 * n);
         let bytes = byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5);
         // The highest bit of each byte that is not 0: nothing is carried into the next one.
-        let set = (bytes & self.mask) + LOW & HIGH;
+        let set = ((bytes & self.mask) + LOW) & HIGH;
         // All of them side by side at the top, since no two products meet.
         (set.wrapping_mul(BESIDE) >> 56) as u8
     }

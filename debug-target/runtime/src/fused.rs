@@ -1,18 +1,19 @@
 //! Fused code: stretches of bit logic and of data operations on plain cells, executed in a loop of their own.
 //!
 //! A *term* stands for an equation, or for up to three data operations. Terms need no address to be looked at again, no
-//! fault and no break-point, and they fetch their operands without a branch, so that what is left to mispredict is one
-//! jump for each term. A *stretch* is a list of terms; every operation at which a term begins has one for the rest of
+//! fault and no break-point, and they fetch their operands without a branch, so that what is left to mispredict is the
+//! kind of each term, and jumps. A *stretch* is a list of terms; every operation at which a term begins has one for the rest of
 //! it.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use technol_image::Program;
-use technol_image::op::{Arith, Compare, Cond, Logic, Op, Place, STACK_DEPTH, Source, Width};
+use technol_image::op::{Op, STACK_DEPTH};
 
 use crate::code::{Code, Fast};
-use crate::equation::{BitWrite, MAX_NESTING, Table, combine};
+use crate::data::{Data, Machine, acts};
+use crate::equation::{BitWrite, MAX_NESTING, Table};
 use crate::memory::Window;
 use crate::registers::Registers;
 
@@ -22,81 +23,34 @@ pub(crate) const MAX_LEN: usize = 240;
 const MAX_PUSHES: u8 = 2;
 /// Values that may be on the equation stack when it begins.
 pub(crate) const MOST_PUSHED: u8 = STACK_DEPTH as u8 - MAX_PUSHES - MAX_NESTING;
-/// Bytes that a cell is read in, whatever its width.
-const READ: usize = 4;
 
-/// What a term does with `x`, its operand, or with RLO.
+/// What a term does. One bit each: asked for one after the other, which processors foresee better than one jump to many
+/// places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(crate) struct Kind(u8);
+
+impl Kind {
     /// An equation.
-    Bits,
-    /// What LDR does first when an equation is open.
-    Push,
-    /// LA, LO, LX without operand; `select` is a [`Logic`].
-    Pop,
-    /// WR, FL, FL1 that no other term could take along.
-    Write,
-    /// LOD, then one of AD, SU, ANDB, ORB, XORB, MULB, then STO, STO0, STO1; each of them may be missing.
-    Calculate,
-    /// LOD, which may be missing, EQ … GE, then a write: RLO is bit 0, 1 or 2 of `select` when DR is less, equal or
-    /// greater; bit 7: only if RLO.
-    Compare,
-    /// MOVE, MOVE1: from the operand to `to`; bit RLO of `when` says whether.
-    Move,
+    const BITS: Kind = Kind(1);
     /// JUM, JL0, JL1 forward within the stretch, over terms that leave the equation stack alone.
-    Skip,
-}
+    const SKIP: Kind = Kind(2);
+    /// LOD, then one of AD, SU, ANDB, ORB, XORB, MULB, then STO, STO0, STO1; each of them may be missing.
+    pub(crate) const CALCULATE: Kind = Kind(4);
+    /// LOD, which may be missing, EQ … GE, then a write, which may be missing: RLO is bit 0, 1 or 2 of `select` when DR is
+    /// less, equal or greater; bit 7: only if RLO.
+    pub(crate) const COMPARE: Kind = Kind(8);
+    /// WR, FL, FL1 that no other term could take along.
+    pub(crate) const WRITE: Kind = Kind(16);
+    /// MOVE, MOVE1: from the operand to `to`; bit RLO of `when` says whether.
+    pub(crate) const MOVE: Kind = Kind(32);
+    /// LA, LO, LX without operand; `select` is a [`Logic`](technol_image::op::Logic).
+    pub(crate) const POP: Kind = Kind(64);
+    /// What LDR does first when an equation is open.
+    const PUSH: Kind = Kind(128);
 
-/// What [`Kind::Calculate`] takes together: DR + x, DR - x, …
-mod select {
-    pub(super) const SUM: u8 = 1;
-    pub(super) const NEGATIVE: u8 = 2;
-    pub(super) const AND: u8 = 4;
-    pub(super) const XOR: u8 = 8;
-    pub(super) const PRODUCT: u8 = 16;
-}
-
-/// A cell or a constant.
-#[derive(Clone, Copy, Debug)]
-struct Operand {
-    /// The constant; 0 for a cell.
-    value: i64,
-    at: u16,
-    /// Bits by which it is less than 32 bits wide.
-    shift: u8,
-    /// -1 for a cell, 0 for a constant.
-    cell: i8,
-}
-
-impl Operand {
-    const NONE: Operand = Operand { value: 0, at: 0, shift: 0, cell: 0 };
-
-    /// `None` for what has to be done the long way: indexed, longer than 32 bits, real, out of the window.
-    fn new(source: &Source, width: Width) -> Option<Operand> {
-        let shift = match width {
-            Width::Byte | Width::Word | Width::DWord => 32 - width.bits() as u8,
-            Width::QWord | Width::Real => return None,
-        };
-        match *source {
-            Source::Mem(Place { indexed: true, .. }) => None,
-            Source::Mem(Place { addr, .. }) => {
-                let at = u16::try_from(addr).ok()?;
-                Some(Operand { value: 0, at, shift, cell: -1 })
-            }
-            Source::Int(value) => Some(Operand { value, at: 0, shift, cell: 0 }),
-            Source::Real(_) => None,
-        }
-    }
-
-    /// This and that function do something to DR.
-    fn calculates(&self, select: u8) -> bool {
-        select != select::SUM || self.cell != 0 || self.value != 0
-    }
-
-    /// Sign-extended.
     #[inline]
-    fn get(&self, memory: &Window) -> i64 {
-        signed(read(memory, self.at), self.shift) & i64::from(self.cell) | self.value
+    pub(crate) fn is(self, kind: Kind) -> bool {
+        self.0 & kind.0 != 0
     }
 }
 
@@ -126,146 +80,7 @@ impl Skip {
 
     fn term(self) -> Term {
         let at = u32::from_le_bytes([self.terms, self.operations, self.when, 0]);
-        Term { kind: Kind::Skip, operations: 1, at }
-    }
-}
-
-/// Of a term that is no equation.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Data {
-    load: Operand,
-    operand: Operand,
-    write: BitWrite,
-    /// Where DR, or what is moved, goes; bits by which that is less than 32 bits wide; bit RLO: it goes.
-    to: u16,
-    to_shift: u8,
-    when: u8,
-    select: u8,
-    /// -1: DR is kept; 0: `load` is put there first.
-    keep: i8,
-}
-
-/// A term that may still become part of a longer one.
-#[derive(Clone, Copy, Debug)]
-struct Draft {
-    kind: Kind,
-    operations: u8,
-    data: Data,
-}
-
-impl Draft {
-    fn new(kind: Kind, select: u8) -> Draft {
-        let (load, operand, write) = (Operand::NONE, Operand::NONE, BitWrite::none(0));
-        Draft {
-            kind,
-            operations: 1,
-            data: Data { load, operand, write, to: 0, to_shift: 0, when: 0, select, keep: -1 },
-        }
-    }
-
-    /// With something else in its data.
-    fn with(mut self, change: impl FnOnce(&mut Data)) -> Draft {
-        change(&mut self.data);
-        self
-    }
-
-    /// Of one data operation.
-    fn of(op: &Op) -> Option<Draft> {
-        let with = |kind, source: &Source, width, select| {
-            let operand = Operand::new(source, width)?;
-            Some(Draft::new(kind, select).with(|data| data.operand = operand))
-        };
-        match op {
-            Op::Load { src, width, neg: false } => {
-                let load = Operand::new(src, *width)?;
-                Some(Draft::new(Kind::Calculate, select::SUM).with(|data| (data.load, data.keep) = (load, 0)))
-            }
-            Op::Arith { op, src, width } => {
-                let select = match op {
-                    Arith::Add => select::SUM,
-                    Arith::Sub => select::SUM | select::NEGATIVE,
-                    Arith::And => select::AND,
-                    Arith::Xor => select::XOR,
-                    Arith::Or => select::AND | select::XOR,
-                    Arith::Mul => select::PRODUCT,
-                    Arith::Div => return None,
-                };
-                with(Kind::Calculate, src, *width, select)
-            }
-            Op::Compare { op, src, width, if_rlo } => {
-                let relation = match op {
-                    Compare::Eq => 0b010,
-                    Compare::Lt => 0b001,
-                    Compare::Gt => 0b100,
-                    Compare::Le => 0b011,
-                    Compare::Ge => 0b110,
-                };
-                with(Kind::Compare, src, *width, relation | u8::from(*if_rlo) << 7)
-            }
-            Op::Store { dst, width, cond } => {
-                let to = Operand::new(&Source::Mem(*dst), *width)?;
-                Some(Draft::new(Kind::Calculate, select::SUM).with(|data| data.goes(to, *cond)))
-            }
-            Op::Move { dst, src, width, cond } => {
-                let from = with(Kind::Move, &Source::Mem(*src), *width, 0)?;
-                let to = Operand::new(&Source::Mem(*dst), *width)?;
-                Some(from.with(|data| data.goes(to, *cond)))
-            }
-            Op::LogicPop(op) => Some(Draft::new(Kind::Pop, *op as u8)),
-            _ => BitWrite::of(op).map(|write| Draft::new(Kind::Write, 0).with(|data| data.write = write)),
-        }
-    }
-
-    /// Both in one, if that is possible.
-    fn joined(self, next: Draft) -> Option<Draft> {
-        let operations = self.operations + next.operations;
-        let (mine, its) = (&self.data, &next.data);
-        let (stores, calculates) = (mine.when != 0, mine.operand.calculates(mine.select));
-        match (self.kind, next.kind) {
-            // LOD, then what does not begin with one.
-            (Kind::Calculate, Kind::Calculate | Kind::Compare) if !stores && !calculates && its.keep != 0 => {
-                let joined = Draft { operations, ..next };
-                Some(joined.with(|data| (data.load, data.keep) = (mine.load, mine.keep)))
-            }
-            // A calculation, then STO alone.
-            (Kind::Calculate, Kind::Calculate)
-                if !stores && its.keep != 0 && !its.operand.calculates(its.select) =>
-            {
-                let joined = Draft { operations, ..self };
-                Some(
-                    joined
-                        .with(|data| (data.to, data.to_shift, data.when) = (its.to, its.to_shift, its.when)),
-                )
-            }
-            (Kind::Compare, Kind::Write) if !mine.write.is_one() => {
-                let joined = Draft { operations, ..self };
-                Some(joined.with(|data| data.write = its.write))
-            }
-            _ => None,
-        }
-    }
-
-    /// What it will execute. A store or a write that is missing is one that changes nothing, at a place that is looked
-    /// at anyway: at another one the next term would have to wait for it.
-    fn finished(self) -> Data {
-        let spare = if self.data.load.cell != 0 { self.data.load.at } else { self.data.operand.at };
-        let mut data = self.data;
-        if data.when == 0 {
-            data.to = spare;
-        }
-        if self.kind == Kind::Compare && !data.write.is_one() {
-            data.write = BitWrite::none(spare);
-        }
-        data
-    }
-}
-
-/// Bit 0: acts when RLO is 0; bit 1: when it is 1.
-fn acts(cond: Cond) -> u8 {
-    match cond {
-        Cond::Always => 0b11,
-        Cond::IfRlo => 0b10,
-        Cond::IfNotRlo => 0b01,
+        Term { kind: Kind::SKIP, operations: 1, at }
     }
 }
 
@@ -315,14 +130,10 @@ pub(crate) fn fuse(program: &Program) -> Fused {
 impl Fused {
     /// The data operations that these begin with, as many as one term takes.
     fn data(&mut self, ops: &[Op]) -> Option<Term> {
-        let mut drafts = ops.iter().map_while(Draft::of);
-        let mut draft = drafts.next()?;
-        while let Some(both) = drafts.next().and_then(|next| draft.joined(next)) {
-            draft = both;
-        }
+        let (kind, data, operations) = Data::of(ops)?;
         let at = self.data.len() as u32;
-        self.data.push(draft.finished());
-        Some(Term { kind: draft.kind, operations: draft.operations, at })
+        self.data.push(data);
+        Some(Term { kind, operations, at })
     }
 
     /// The equation, or as much of it as a table takes, that these begin with.
@@ -335,12 +146,12 @@ impl Fused {
         };
         if pushes {
             begins.push(pc);
-            self.terms.push(Term { kind: Kind::Push, operations: 0, at: 0 });
+            self.terms.push(Term { kind: Kind::PUSH, operations: 0, at: 0 });
         }
         let write = ops.get(logic).and_then(BitWrite::of);
         table.write = write.unwrap_or(table.write);
         let operations = logic as u8 + u8::from(write.is_some());
-        let term = Term { kind: Kind::Bits, operations, at: self.tables.len() as u32 };
+        let term = Term { kind: Kind::BITS, operations, at: self.tables.len() as u32 };
         self.tables.push(table);
         Some(term)
     }
@@ -356,7 +167,7 @@ impl Fused {
             let behind = behind.or((target == end).then_some(begins.len()));
             let skipped =
                 behind.filter(|behind| *behind > n).map(|behind| &self.terms[first + n + 1..first + behind]);
-            let balanced = |term: &Term| !matches!(term.kind, Kind::Push | Kind::Pop);
+            let balanced = |term: &Term| !matches!(term.kind, Kind::PUSH | Kind::POP);
             let fits = |terms: &&[Term]| terms.len() <= MAX_LEN && terms.iter().all(balanced);
             if let Some(skipped) = skipped.filter(fits)
                 && let Ok(operations) = u8::try_from(target - pc - 1)
@@ -390,18 +201,18 @@ fn stretch(terms: &[Term], first: usize, most: usize) -> Option<Fast> {
     let mut taken = None;
     let (mut ops, mut pops, mut depth, mut target) = (0, 0_u8, 0_i8, 0);
     for (n, term) in terms.iter().enumerate().take(usize::from(u8::MAX)) {
-        let pushes = term.kind == Kind::Push;
+        let pushes = term.kind == Kind::PUSH;
         let len = usize::from(term.operations);
         if ops + len > most || (pushes && depth == MAX_PUSHES as i8) || pops == MOST_PUSHED {
             break;
         }
         depth += i8::from(pushes);
-        if term.kind == Kind::Pop {
+        if term.kind == Kind::POP {
             depth -= 1;
             pops = pops.max(depth.min(0).unsigned_abs());
         }
         ops += len;
-        if term.kind == Kind::Skip {
+        if term.kind == Kind::SKIP {
             let skip = Skip::of(*term);
             if ops + usize::from(skip.operations) > most {
                 break;
@@ -437,32 +248,6 @@ fn jump_targets(code: &[Op]) -> Vec<bool> {
     targets
 }
 
-/// The low bits of a width.
-#[inline]
-fn mask(shift: u8) -> u32 {
-    u32::MAX >> (shift & 31)
-}
-
-/// The low bits of `value` as a signed number.
-#[inline]
-fn signed(value: u32, shift: u8) -> i64 {
-    i64::from(((value << (shift & 31)) as i32) >> (shift & 31))
-}
-
-#[inline]
-fn read(memory: &Window, at: u16) -> u32 {
-    let at = usize::from(at);
-    u32::from_le_bytes([memory[at], memory[at + 1], memory[at + 2], memory[at + 3]])
-}
-
-/// Writes the bits of `mask`.
-#[inline]
-fn write(memory: &mut Window, at: u16, mask: u32, value: u32) {
-    let new = read(memory, at) & !mask | value & mask;
-    let at = usize::from(at);
-    memory[at..at + READ].copy_from_slice(&new.to_le_bytes());
-}
-
 /// Who sees what terms work with.
 pub(crate) trait Witness {
     /// A term is about to act. `bits`: those of its equation; `dr`: behind its LOD.
@@ -475,10 +260,10 @@ pub(crate) trait Witness {
 pub(crate) struct Unseen;
 
 impl Witness for Unseen {
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, _: bool, _: u8, _: i64, _: i64, _: &Registers) {}
 
-    #[inline(always)]
+    #[inline]
     fn skip(&mut self, _: usize) {}
 }
 
@@ -494,103 +279,31 @@ pub(crate) fn execute<W: Witness>(
     let (mut rlo, mut dr, mut skipped) = (regs.rlo, regs.dr, 0);
     let mut rest = terms.iter();
     while let Some(term) = rest.next() {
-        match term.kind {
-            Kind::Bits => {
-                let table = &code.tables[term.at as usize];
-                let bits = table.gather(memory);
-                witness.term(rlo, bits, dr, 0, regs);
-                rlo = table.evaluate(memory, bits, rlo);
+        let kind = term.kind;
+        if kind.is(Kind::BITS) {
+            let table = &code.tables[term.at as usize];
+            let bits = table.gather(memory);
+            witness.term(rlo, bits, dr, 0, regs);
+            rlo = table.evaluate(memory, bits, rlo);
+        } else if kind.is(Kind::SKIP) {
+            witness.term(rlo, 0, dr, 0, regs);
+            let skip = Skip::of(*term);
+            if skip.when >> u8::from(rlo) & 1 != 0 {
+                let terms = usize::from(skip.terms);
+                rest = rest.as_slice().get(terms..).unwrap_or_default().iter();
+                witness.skip(terms);
+                skipped += u32::from(skip.operations);
             }
-            Kind::Push => {
-                witness.term(rlo, 0, dr, 0, regs);
-                regs.stack = regs.stack << 1 | u8::from(rlo);
-                regs.depth += 1;
-            }
-            Kind::Skip => {
-                witness.term(rlo, 0, dr, 0, regs);
-                let skip = Skip::of(*term);
-                if skip.when >> u8::from(rlo) & 1 != 0 {
-                    let terms = usize::from(skip.terms);
-                    rest = rest.as_slice().get(terms..).unwrap_or_default().iter();
-                    witness.skip(terms);
-                    skipped += u32::from(skip.operations);
-                }
-            }
-            kind => {
-                let data = &code.data[term.at as usize];
-                (rlo, dr) = data.execute(kind, memory, regs, rlo, dr, &mut witness);
-            }
+        } else if kind.is(Kind::PUSH) {
+            witness.term(rlo, 0, dr, 0, regs);
+            regs.stack = regs.stack << 1 | u8::from(rlo);
+            regs.depth += 1;
+        } else {
+            let on = Machine { memory, regs, witness: &mut witness };
+            (rlo, dr) = code.data[term.at as usize].execute(kind, on, rlo, dr);
         }
     }
     regs.rlo = rlo;
     regs.dr = dr;
     skipped
-}
-
-impl Data {
-    fn goes(&mut self, to: Operand, cond: Cond) {
-        (self.to, self.to_shift, self.when) = (to.at, to.shift, acts(cond));
-    }
-
-    /// RLO and DR afterwards.
-    #[inline(always)]
-    #[expect(clippy::inline_always, reason = "RLO and DR stay in registers; measured in benches/against_c")]
-    fn execute(
-        &self,
-        kind: Kind,
-        memory: &mut Window,
-        regs: &mut Registers,
-        mut rlo: bool,
-        mut dr: i64,
-        witness: &mut impl Witness,
-    ) -> (bool, i64) {
-        let (select, operand, shift) = (self.select, &self.operand, self.operand.shift);
-        let chosen =
-            |rlo: bool| mask(self.to_shift) & 0_u32.wrapping_sub(u32::from(self.when >> u8::from(rlo) & 1));
-        // All ones when it is selected.
-        let if_selected = |what: u8| -i64::from(select & what != 0);
-        match kind {
-            Kind::Calculate => {
-                dr = dr & i64::from(self.keep) | self.load.get(memory);
-                let x = operand.get(memory);
-                witness.term(rlo, 0, dr, x, regs);
-                let negative = if_selected(select::NEGATIVE);
-                let sum = dr.wrapping_add((x ^ negative).wrapping_sub(negative)) & if_selected(select::SUM);
-                let bits = dr & x & if_selected(select::AND) ^ (dr ^ x) & if_selected(select::XOR);
-                let product = signed(dr as u32, shift).wrapping_mul(signed(x as u32, shift));
-                let whole = if_selected(select::PRODUCT);
-                let low = i64::from(mask(shift)) | whole;
-                dr = dr & !low | (sum | bits | product & whole) & low;
-                write(memory, self.to, chosen(rlo), dr as u32);
-            }
-            Kind::Compare => {
-                dr = dr & i64::from(self.keep) | self.load.get(memory);
-                let (a, b) = (signed(dr as u32, shift), operand.get(memory));
-                witness.term(rlo, 0, dr, b, regs);
-                let place = u8::from(a >= b) + u8::from(a > b);
-                // Without branches.
-                rlo = select >> place & (u8::from(rlo) | !select >> 7) & 1 != 0;
-                self.write.execute(memory, rlo);
-            }
-            Kind::Move => {
-                witness.term(rlo, 0, dr, 0, regs);
-                let value = read(memory, operand.at);
-                write(memory, self.to, chosen(rlo), value);
-            }
-            Kind::Write => {
-                witness.term(rlo, 0, dr, 0, regs);
-                self.write.execute(memory, rlo);
-            }
-            Kind::Pop => {
-                witness.term(rlo, 0, dr, 0, regs);
-                let value = regs.stack & 1;
-                regs.stack >>= 1;
-                regs.depth -= 1;
-                let logic = [Logic::And, Logic::Or, Logic::Xor][usize::from(select)];
-                rlo = combine(logic, rlo, value != 0);
-            }
-            Kind::Bits | Kind::Push | Kind::Skip => {}
-        }
-        (rlo, dr)
-    }
 }

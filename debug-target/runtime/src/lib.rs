@@ -19,6 +19,7 @@ mod code;
 mod context;
 pub mod control;
 mod coverage;
+mod data;
 mod debugger;
 mod decimal;
 mod equation;

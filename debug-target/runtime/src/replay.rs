@@ -11,7 +11,7 @@ use crate::trace::SeenTerm;
 /// done before it. DR_REAL is not among them: no term uses it.
 pub(crate) fn registers_after(ops: &[Op], seen: &SeenTerm, opened: bool) -> Registers {
     let SeenTerm { rlo, stack, depth, dr, .. } = *seen;
-    let mut regs = Registers { rlo, stack, depth, dr, ..Registers::default() };
+    let mut regs = Registers { rlo, dr, stack, depth, ..Registers::default() };
     let mut inputs = Inputs { known: [None; INPUTS], bits: seen.bits };
     let operand = |source: &Source| match source {
         Source::Int(value) => *value,

@@ -63,7 +63,9 @@ impl Fnv {
 
     fn add(&mut self, bytes: &[u8]) {
         let (words, rest) = bytes.as_chunks();
-        words.iter().for_each(|word| self.add_word(u64::from_le_bytes(*word)));
+        for word in words {
+            self.add_word(u64::from_le_bytes(*word));
+        }
         if !rest.is_empty() {
             self.add_word(rest.iter().fold(1, |word, byte| word << 8 | u64::from(*byte)));
         }

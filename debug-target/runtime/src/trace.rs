@@ -69,10 +69,10 @@ pub(crate) trait Recorder {
 pub(crate) struct Untraced;
 
 impl Recorder for Untraced {
-    #[inline(always)]
+    #[inline]
     fn operation(&mut self, _: Pc, _: &Registers) {}
 
-    #[inline(always)]
+    #[inline]
     fn stretch(
         &mut self,
         _: usize,
@@ -261,7 +261,7 @@ struct Notes<'a> {
 }
 
 impl Witness for Notes<'_> {
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, rlo: bool, bits: u8, dr: i64, operand: i64, regs: &Registers) {
         if let Some(seen) = self.seen.next() {
             let (stack, depth) = (regs.stack, regs.depth);
@@ -269,7 +269,7 @@ impl Witness for Notes<'_> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn skip(&mut self, terms: usize) {
         if terms > 0 {
             self.seen.nth(terms - 1);
@@ -297,11 +297,11 @@ fn traced_terms(code: &Code, operation_at: &[u32]) -> (Vec<u32>, Vec<TermPlace>)
         }
         heads.push(first);
         let (mut pc, mut opens) = (pc as Pc, false);
-        for at in first as usize..first as usize + usize::from(terms) {
-            let operations = code.terms[at].operations;
-            found[at] = Some(TermPlace { pc, operations, opens });
-            pc += Pc::from(operations);
-            opens = operations == 0;
+        let terms = code.terms.iter().zip(&mut found).skip(first as usize).take(usize::from(terms));
+        for (Term { operations, .. }, place) in terms {
+            *place = Some(TermPlace { pc, operations: *operations, opens });
+            pc += Pc::from(*operations);
+            opens = *operations == 0;
         }
     }
     let mut term_at = vec![NONE; code.terms.len()];

@@ -36,6 +36,14 @@ fn registers_are_views_of_rlo_dr_and_the_index() {
 }
 
 #[test]
+fn some_instructions_do_nothing() {
+    check(&[
+        ("IB=1", "LOD FIVE / LDR I0 / CLI / STI / NOP / STO B1 / WR O0", "B1=5 OB=1 DR64=5"),
+        ("", "MOV CX,1 / CMP CX,2 / CLI / STI / NOP / JB L / FL 1,O0 / L:", "OB=0 DR16=1"),
+    ]);
+}
+
+#[test]
 fn moves_between_registers_cells_and_numbers() {
     check(&[
         ("", "MOV W1,-1 / MOV B1,255 / MOV D1,80000000h", "W1=0FFFFh W2=0 B1=0FFh B2=0 D1=80000000h D2=0"),

@@ -32,6 +32,12 @@ fn a_positioning_unit_carries_an_axis_to_its_target() {
     // The enable of the instruction goes into the record.
     after(13, &init, "POS_CONTROL W2,D2,I7,2", FULL, "W2=300h B2=8");
     after(13, &init, "POS_CONTROL W2,D2,I7,2", "D2=17700000h I7=1", "W2=308h B2=1");
+    let prefixed = init.replace("B1,D1,W1", "B1,DWRD.D1,WORD.W1");
+    for control in ["W2,CNST.17700000h,AREA.I7,2", "W2,DWRD.D2,AREA.I7,2"] {
+        let main = format!("POS_CONTROL {control}");
+        after(13, &prefixed, &main, "D2=17700000h", "W2=300h B2=8");
+        after(13, &prefixed, &main, "D2=17700000h AREA.I7=1", "W2=308h B2=1");
+    }
     // A constant 0 as speed only reads the status.
     after(13, &init, "POS_CONTROL IB,0,NIL,2", enabled, "IB=0 OB=3");
 }
@@ -39,6 +45,12 @@ fn a_positioning_unit_carries_an_axis_to_its_target() {
 #[test]
 fn the_older_instructions_do_the_same() {
     for (axis, index) in [("X", 0), ("Y", 1), ("Z", 2), ("4", 3), ("5", 4), ("6", 5)] {
+        for (feed, enable) in [("CNST.17700000h", ",AREA.I7"), ("DWRD.D2", ",-"), ("393216000", "")] {
+            let init = format!("{TRAVEL} / POS_INIT_{axis} / POS_MODE_{axis} B1,DWRD.D1,WORD.W1,WORD.W2");
+            let main = format!("POS_CONTROL_{axis} Q1,{feed}{enable}");
+            let there = format!("WORD.Q1=308h QWRD.(POSITION_POS5_EX+{})=27100000h", 8 * index);
+            after(13, &init, &main, "D2=17700000h B2=1 AREA.I7=1", &there);
+        }
         let init = format!("{TRAVEL} / POS_INIT_{axis} / POS_MODE_{axis} B1,D1,W1,W2");
         let main = format!("POS_CONTROL_{axis} Q1,D2,I7");
         let given = "D2=17700000h I7=1";
@@ -80,6 +92,12 @@ fn a_ramp_follows_dr() {
         ("W1=100", "LOD CNST.110 / RAMP W1,W2", "W1=100 DR=100"), // a step of 0 holds
         ("W1=100 W2=-4", "LOD CNST.0 / RAMP W1,W2", "W1=96 DR=96"),
         ("B1=-100", "LOD CNST.-128 / RAMP B1,20", "B1=-120 DR=-120"),
+        ("B1=-100", "LOD CNST.-128 / RAMP BYTE.B1,CNST.20", "B1=-120 DR=-120"),
+        ("W1=100 B2=30", "LOD CNST.1000 / RAMP WORD.W1,B2", "W1=130 DR=130"),
+        ("W1=100 B2=30", "LOD CNST.1000 / RAMP W1,BYTE.B2", "W1=130 DR=130"),
+        ("W1=100 W2=400", "LOD CNST.1000 / RAMP W1,WORD.W2", "W1=500 DR=500"),
+        ("D1=70000 D2=60000", "LOD CNST.0 / RAMP DWRD.D1,D2", "D1=10000 DR=10000"),
+        ("D1=70000 D2=60000", "LOD CNST.0 / RAMP D1,DWRD.D2", "D1=10000 DR=10000"),
         ("D1=70000", "LOD CNST.0 / RAMP D1,60000", "D1=10000 DR=10000"),
         ("I0=1", "LDR I0 / LOD CNST.5 / RAMP W1,1", "RLO=1 W1=1 WORD.W2=0"),
     ]);
@@ -104,7 +122,29 @@ fn analogue_values_go_to_the_port_or_to_the_spindle() {
     assert_eq!(outputs(spindles, "ANALOG W1,4 / ANALOG W2,5", "W1=1 W2=2"), [0, 0, 0, 1, 2, 0]);
     assert_eq!(outputs(spindles, "ANALOG 3,4,2 / ANALOG 4,4,1", ""), [0, 0, 0, 4, 3, 0]);
     assert_eq!(outputs(spindles, "SPI_MAIN 5 / ANALOG 3,4,2 / ANALOG 4,4,1", ""), [0, 0, 0, 3, 4, 0]);
-    assert_eq!(outputs(spindles, "ANALOG 9,C", ""), [0, 0, 0, 0, 9, 0]);
+    for letter in ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"] {
+        assert_eq!(outputs(spindles, &format!("ANALOG 9,{letter}"), ""), [0, 0, 0, 0, 9, 0], "{letter}");
+    }
+    assert_eq!(
+        outputs("", "ANALOG_PORT B1 / ANALOG 8 / ANALOG_PORT W1 / ANALOG WORD.W2", "B1=3 W1=2 W2=-6"),
+        [0, -6, 8, 0, 0, 0]
+    );
+    assert_eq!(outputs(spindles, "LOD CNST.6 / ANALOG -,4 / ANALOG NIL,5,2", ""), [0, 0, 0, 6, 6, 0]);
+    assert_eq!(
+        outputs(spindles, "ANALOG_SPI W1,4 / ANALOG_SPI WORD.W2,5", "W1=11 W2=-12"),
+        [0, 0, 0, 11, -12, 0]
+    );
+    assert_eq!(outputs(spindles, "ANALOG_SPI 7,5 / ANALOG_SPI 40000,4", ""), [0, 0, 0, -25_536, 7, 0]);
+    // SET leaves the roles.
+    for set in ["SET", "S", "3", "5"] {
+        let init = format!("AX_SPI 4,ASSIST / AX_SPI 5,MAIN / AX_SPI 6,{set}");
+        assert_eq!(
+            outputs(&init, "ANALOG 1,4,1 / ANALOG 2,4,2 / ANALOG 3,6", ""),
+            [0, 0, 0, 2, 1, 3],
+            "{set}"
+        );
+    }
+    assert_eq!(outputs("AX_SPI 4", "ANALOG 1,4 / AX_SPI 4,OFF", ""), [0; 6]);
     assert_eq!(outputs(spindles, "LOD CNST.6 / ANALOG_SPI -,4 / ANALOG_SPI 7,3", ""), [0, 0, 0, 6, 0, 0]);
     assert_eq!(outputs("AX_SPI 4", "ANALOG 1,4 / AX_SPI 4,0", ""), [0; 6]);
     assert_eq!(
@@ -123,9 +163,32 @@ fn a_spindle_becomes_an_axis_again_at_its_zero_pulse() {
     after(2, init, "FL 0,POLOHV_4", "", "POLOHV_4=0 PO_OS4PI=0 WORD.HOMING=0");
     after(2, "AX_SPI 4", "SPI_AX 1000,-1000,500,100", "", "POLOHV_4=1 SM_PO4PI=0");
     after(2, "", "SPI_AX -1000,-,-,-,4", "", "POLOHV_4=1 SM_PO4PI=1");
+    for operands in ["W1,W1,D1,W2", "WORD.W1,WORD.W1,DWRD.D1,WORD.W2", "W1,1,CNST.500,100"] {
+        let lines = format!("SPI_AX {operands},4");
+        after(2, "AX_SPI 4", &lines, "W1=-1000 W2=100 D1=500", "POLOHV_4=1 SM_PO4PI=1");
+        after(2, "AX_SPI 4", &lines, "W1=1000 W2=100 D1=500", "POLOHV_4=1 SM_PO4PI=0");
+    }
 }
 
 #[test]
-fn regulator_sets_are_taken() {
-    after(1, "", "REGUL_X 1 / REGUL_Y 2 / REGUL_Z 3 / REGUL_4 4 / REGUL_5 1 / REGUL_6 2", "", "RLO=0");
+fn a_regulator_set_has_a_gain_of_its_own() {
+    for (axis, number) in [("X", 1), ("Y", 2), ("Z", 3), ("4", 4), ("5", 5), ("6", 6)] {
+        let machine =
+            format!("[[axis]]\nnumber = {number}\ngain = 100\ngains = [100, 50, 25]\ndifference-limit = 0");
+        let main = format!(
+            "LDR I0 / JL0 L / REGUL_{axis} 2 / L: / LDR I1 / JL0 M / REGUL_{axis} 3 / M: / POS_CONTROL IB,D2,O7,{number}"
+        );
+        let init = format!(
+            "LOD CNST.1000000 / STO D1 / LOD CNST.1000 / STO W1 / POS_INIT {number} / POS_MODE B1,D1,W1,{number}"
+        );
+        let mut plc = Plc::on(Some(&machine), &init, &main.replace("CONTROL IB", "CONTROL W2"));
+        // 6000 mm/min is 100 mm/s: in µm the error is the speed divided by the gain, less the way of the last ms.
+        let cell = format!("DWRD.(DIFCIT_X+{})", 4 * (number - 1));
+        plc.set("D2=17700000h O7=1");
+        for (given, expected) in [("", 900), ("I0=1", 1900), ("I0=0 I1=1", 3900)] {
+            plc.set(given);
+            plc.run(50);
+            assert_eq!(plc.differences(&format!("{cell}={expected}")), [""; 0], "{axis}, {given}");
+        }
+    }
 }

@@ -22,6 +22,11 @@ fn equations() {
         ("IB=3", "LDR I0 / LX I1 / WR O0", "OB=0"),
         ("IB=1", "LDR I0 / LX I1 / WR O0", "OB=1"),
         ("IB=3", "LDR I0 / LX -I1 / WR O0", "OB=1"),
+        ("IB=3", "LDR I0 / LA -I1 / WR O0", "OB=0"),
+        ("IB=1", "LDR I0 / LA IB.I1 / WR O0", "OB=0"),
+        ("IB=2", "LDR I0 / LO IB.I1 / WR O0", "OB=1"),
+        ("IB=3", "LDR I0 / LX IB.I1 / WR O0", "OB=0"),
+        ("IB=1", "LDR I0 / LX -I1 / WR O0", "OB=0"),
         ("IB=1", "LDR I0 / CA / WR O0", "OB=0 RLO=0"),
         ("IB=0", "LDR I0 / CA / WR O0", "OB=1 RLO=1"),
     ]);
@@ -51,6 +56,11 @@ fn the_equation_stack() {
 }
 
 #[test]
+fn a_check_changes_nothing() {
+    check(&[("IB=1", "LOD FIVE / LDR I0 / WR O0 / CHECK / WR O1 / STO B1", "OB=3 B1=5 RLO=1")]);
+}
+
+#[test]
 fn writing_bits() {
     check(&[
         ("IB=1", "LDR I0 / WR O0,O2,OB.I5", "OB=25h"),
@@ -62,6 +72,9 @@ fn writing_bits() {
         ("IB=1 OB=0FFh", "LDR I0 / FL1 0,O4 / FL1 0,O5", "OB=0CFh"),
         ("IB=2", "LDR I0 / MOVR O1,I1 / LO I1 / WR O0", "OB=3"),
         ("IB=0 OB=2", "MOVR O1,I1", "OB=0"),
+        ("OB=8", "MOVR OB.I0,OB.I3", "OB=9"),
+        ("IB=1 OB=8", "LDR I0 / MOVR1 OB.I0,OB.I3", "OB=9"),
+        ("IB=0 OB=8", "LDR I0 / MOVR1 OB.I0,OB.I3", "OB=8"),
         ("IB=2", "LDR I0 / MOVR1 O1,I1", "OB=0"),
         ("IB=3", "LDR I0 / MOVR1 O1,I1", "OB=2"),
     ]);

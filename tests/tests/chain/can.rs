@@ -2,7 +2,9 @@
 
 use technol_machine::{CAN_QUEUE, CanPacket};
 
-use crate::plc::Plc;
+use technol_runtime::{Resume, StopReason};
+
+use crate::plc::{Plc, first_line};
 
 #[test]
 fn packets_are_sent_as_they_are_and_dr_tells_that_they_are_queued() {
@@ -117,11 +119,76 @@ fn the_procedures_run_before_the_cycle_and_only_from_its_start() {
     assert_eq!(plc.differences("W1=5 W2=5"), [""; 0]);
 }
 
+/// Three packets that are answered, in a cycle that is held at each stop and goes on `how`; the lines it was held at.
+fn answered_in_steps(plc: &mut Plc, how: Resume) -> Vec<usize> {
+    for (n, id) in [0x5A1, 0x5A4, 0x5A2].into_iter().enumerate() {
+        plc.control().can_mut().feed(2, CanPacket::new(id, &[1 << n]));
+    }
+    let mut lines = Vec::new();
+    let end = plc.runtime().millis() + 20;
+    while plc.runtime().millis() < end {
+        plc.tick(1);
+        if let Some(stop) = plc.runtime().stopped() {
+            lines.extend(plc.line_of(stop.pc));
+            assert!(lines.len() < 100, "it never ends: {lines:?}");
+            plc.runtime().resume(how);
+        }
+    }
+    assert_eq!(plc.differences("W1=3 W2=7 D1=2 WORD.PACKET=5A2h"), [""; 0], "{how:?}");
+    lines
+}
+
+#[test]
+fn a_call_back_is_held_at_break_points_and_stepped_through() {
+    let request = "CAN_RECV_REQ 2,580h,-,21h,24h,ANSWER,PACKET";
+    let first = first_line() + 2; // INIT has two more lines, but it stands behind
+    let body: Vec<usize> = (first + 1..=first + 7).collect();
+    let mut held = listening(request);
+    let pc = held.pc_of(body[0]).expect("a line with code");
+    assert!(held.runtime().set_breakpoints(&[pc]).iter().all(Result::is_ok));
+    assert_eq!(answered_in_steps(&mut held, Resume::Continue), [body[0]; 3]);
+    // Into each of the three calls, line by line, to its end.
+    let mut stepped = listening(request);
+    stepped.runtime().pause();
+    let lines = answered_in_steps(&mut stepped, Resume::StepInto);
+    for line in &body {
+        assert_eq!(lines.iter().filter(|it| *it == line).count(), 3, "{line} in {lines:?}");
+    }
+    for how in [Resume::StepOver { sequence: None }, Resume::StepOut] {
+        let mut stepped = listening(request);
+        stepped.runtime().set_breakpoints(&[pc]).iter().for_each(|set| assert!(set.is_ok()));
+        let lines = answered_in_steps(&mut stepped, how);
+        assert_eq!(lines.iter().filter(|it| **it == body[0]).count(), 3, "{how:?}: {lines:?}");
+    }
+}
+
+#[test]
+fn a_call_back_that_is_held_shows_who_called_it() {
+    let mut plc = listening("CAN_RECV_REQ 2,580h,-,21h,24h,ANSWER,PACKET");
+    let line = first_line() + 5; // INR
+    let pc = plc.pc_of(line).expect("a line with code");
+    assert!(plc.runtime().set_breakpoints(&[pc]).iter().all(Result::is_ok));
+    plc.control().can_mut().feed(2, CanPacket::new(0x5A1, &[9]));
+    plc.tick(5);
+    let stop = plc.runtime().stopped().expect("it is held");
+    assert_eq!((stop.reason, plc.line_of(stop.pc)), (StopReason::Breakpoint, Some(line)));
+    // The packet is there, the channel in D1, nothing is counted yet.
+    assert_eq!(plc.differences("WORD.PACKET=5A1h D1=2 W1=0 DR=0"), [""; 0]);
+    let lines: Vec<_> = plc.runtime().call_stack().iter().map(|frame| frame.pc).collect();
+    assert_eq!(lines.first(), Some(&pc));
+    // What is written now is what it goes on with.
+    plc.set("W2=100");
+    plc.runtime().resume(Resume::Continue);
+    plc.run(1);
+    assert_eq!(plc.differences("W1=1 W2=109"), [""; 0]);
+}
+
 #[test]
 fn a_cancelled_request_calls_nothing() {
-    for name in ["CAN_RECV_END", "CAN_RECV_DEL"] {
+    for name in ["CAN_RECV_END", "CAN_RECV_DEL", "CAN_RECV_END DWRD.", "CAN_RECV_DEL DWRD."] {
+        let name = if name.ends_with('.') { name.to_owned() } else { format!("{name} ") };
         let init = "CAN_RECV_REQ 2,580h,-,1,-,ANSWER,PACKET / STO D2";
-        let mut plc = Plc::with_init(init, &format!("LDR I0 / JL0 L8 / {name} D2 / WR O0 / L8: / {ANSWER}"));
+        let mut plc = Plc::with_init(init, &format!("LDR I0 / JL0 L8 / {name}D2 / WR O0 / L8: / {ANSWER}"));
         plc.control().can_mut().feed(2, CanPacket::new(0x581, &[]));
         plc.set("I0=1 O0=0");
         plc.run(1);
@@ -156,6 +223,88 @@ fn members_of_units_have_their_widths_and_rlo_0_is_success() {
     plc.run(2);
     // Without sign into the whole DR; of a unit that is not there DR stays.
     assert_eq!(plc.differences("OB=100b D1=0FEh QWRD.Q1=0FFFFFFFFh D2=5"), [""; 0]);
+}
+
+/// Members of a unit with their lengths in bytes.
+const MEMBERS: [(&str, u32); 45] = [
+    ("MODE", 1),
+    ("OUT0", 1),
+    ("OUT1", 1),
+    ("OUT2", 1),
+    ("CONTROL", 1),
+    ("SEND_REQ", 1),
+    ("SHORT_SEND_REQ", 1),
+    ("SHORT_OUT0", 1),
+    ("SHORT_OUT1", 1),
+    ("SHORT_OUT2", 1),
+    ("SIZE", 2),
+    ("PRESENT", 1),
+    ("VENDORID", 4),
+    ("DEVICENAME", 4),
+    ("HWVERSION", 4),
+    ("SWVERSION", 4),
+    ("IN0", 1),
+    ("IN1", 1),
+    ("IN2", 1),
+    ("IN3", 1),
+    ("ANL0", 1),
+    ("ANL1", 1),
+    ("ANL2", 1),
+    ("ANL3", 1),
+    ("ANL4", 1),
+    ("ANL5", 1),
+    ("ANL6", 1),
+    ("ANL7", 1),
+    ("ERROR", 1),
+    ("ERR_CODE", 1),
+    ("ERR_STAT", 1),
+    ("COUNT", 2),
+    ("RESP_COUNT", 1),
+    ("RPDO_COUNT", 2),
+    ("TPDO_COUNT", 2),
+    ("PXIN", 2),
+    ("PXOUT", 2),
+    ("IRC0", 2),
+    ("IRC1", 2),
+    ("MODE_ACT", 1),
+    ("MODE_FAZE", 1),
+    ("TL0", 1),
+    ("TL1", 1),
+    ("TL2", 1),
+    ("TL3", 1),
+];
+
+#[test]
+fn every_member_is_read_and_written_at_its_width() {
+    let steps = |step: &dyn Fn(usize, &str) -> String| -> String {
+        (0..).zip(MEMBERS).map(|(n, (member, _))| step(4 * n, member)).collect::<Vec<_>>().join(" / ")
+    };
+    let check = |plc: &Plc, written: u32| {
+        for (n, (member, bytes)) in (0..).zip(MEMBERS) {
+            let value = written & u32::MAX >> (32 - 8 * bytes);
+            assert_eq!(plc.differences(&format!("DWRD.(BIG+{})={value} O1=0", 4 * n)), [""; 0], "{member}");
+        }
+    };
+    let reads =
+        steps(&|at, member| format!("CAN_SYSIO_READ 1,2,32,{member} / LO O1 / WR O1 / STO DWRD.(BIG+{at})"));
+    let mut read = Plc::of(&reads);
+    let unit = read.control().can_unit_mut(1, 2, 32);
+    for (member, _) in MEMBERS {
+        assert!(unit.set(member, 0x9CAD_BECF), "{member}");
+    }
+    // MODE_ACT follows MODE.
+    read.run(2);
+    check(&read, 0x9CAD_BECF);
+    let writes = steps(&|at, member| {
+        format!(
+            "LOD CNST.12345678h / CAN_SYSIO_WRITE 1,2,32,{member} / LO O1 / WR O1 / LOD CNST.-1 / CAN_SYSIO_READ 1,2,32,{member} / \
+             STO DWRD.(BIG+{at})"
+        )
+    });
+    let mut written = Plc::of(&writes);
+    written.control().can_unit_mut(1, 2, 32);
+    written.run(1);
+    check(&written, 0x1234_5678);
 }
 
 #[test]

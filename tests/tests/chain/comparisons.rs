@@ -2,32 +2,49 @@
 
 use crate::plc::{Row, check};
 
-#[test]
-fn every_relation_at_every_width() {
-    // DR is 5 at the widths 8, 16, 32 and 64; the operands are 4, 5, 6 and -1.
-    let relations: [(&str, [bool; 4]); 5] = [
-        ("EQ", [false, true, false, false]),
-        ("LT", [false, false, true, false]),
-        ("GT", [true, false, false, true]),
-        ("LE", [false, true, true, false]),
-        ("GE", [true, true, false, true]),
-    ];
+/// DR is 5 at the widths 8, 16, 32 and 64; the operands are 4, 5, 6 and -1.
+#[track_caller]
+fn at_every_width(relation: &str, results: [bool; 4]) {
     let mut rows: Vec<Row> = Vec::new();
-    for (relation, results) in relations {
-        for (operand, result) in ["4", "5", "6", "-1"].into_iter().zip(results) {
-            let cells =
-                ["B1", "W1", "D1", "QWRD.Q1"].map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
-            let real = (format!("REAL.R1={operand}.0"), "REAL.R1".to_owned());
-            let constant = (String::new(), format!("CNST.{operand}"));
-            let real_constant = (String::new(), format!("CNST.{operand}.0"));
-            for (given, compared) in cells.into_iter().chain([real, constant, real_constant]) {
-                let lines = format!("LOD CNST.5.0 / {relation} {compared} / WR O0");
-                let then = format!("OB={} DR64=5 DR_REAL=5.0", u8::from(result));
-                rows.push((leak(given), leak(lines), leak(then)));
-            }
+    for (operand, result) in ["4", "5", "6", "-1"].into_iter().zip(results) {
+        let cells = ["B1", "W1", "D1", "QWRD.Q1", "BYTE.AREA", "WORD.AREA", "DWRD.AREA", "HIGH.W1"]
+            .map(|cell| (format!("{cell}={operand}"), cell.to_owned()));
+        let number = (String::new(), operand.to_owned());
+        let real = (format!("REAL.R1={operand}.0"), "REAL.R1".to_owned());
+        let constant = (String::new(), format!("CNST.{operand}"));
+        let real_constant = (String::new(), format!("CNST.{operand}.0"));
+        for (given, compared) in cells.into_iter().chain([number, real, constant, real_constant]) {
+            let lines = format!("LOD CNST.5.0 / {relation} {compared} / WR O0");
+            let then = format!("OB={} DR64=5 DR_REAL=5.0", u8::from(result));
+            rows.push((leak(given), leak(lines), leak(then)));
         }
     }
     check(&rows);
+}
+
+#[test]
+fn equal_at_every_width() {
+    at_every_width("EQ", [false, true, false, false]);
+}
+
+#[test]
+fn less_at_every_width() {
+    at_every_width("LT", [false, false, true, false]);
+}
+
+#[test]
+fn greater_at_every_width() {
+    at_every_width("GT", [true, false, false, true]);
+}
+
+#[test]
+fn less_or_equal_at_every_width() {
+    at_every_width("LE", [false, true, true, false]);
+}
+
+#[test]
+fn greater_or_equal_at_every_width() {
+    at_every_width("GE", [true, true, false, true]);
 }
 
 /// Rows are written as literals; these are few.
@@ -56,12 +73,34 @@ fn only_the_part_of_dr_at_the_width_counts() {
 
 #[test]
 fn chained_comparisons_only_clear() {
+    // The first of a pair of cells is what the low part of Q1 is, the second differs in its last byte.
+    const HALF: &str = "QWRD.Q1=1122334455667788h QWRD.Q2=1022334455667788h D1=55667788h D2=54667788h W1=7788h W2=8888h \
+                        B1=88h B2=87h REAL.R1=0.5 REAL.R2=0.25";
     check(&[
         ("IB=1 W1=5", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=1"),
         ("IB=1 W1=6", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=0"),
         ("IB=0 W1=5", "LDR I0 / LOD W1 / EQ1 CNST.5 / WR O0", "OB=0"),
         ("IB=1 W1=5 B1=7", "LDR I0 / LOD W1 / EQ1 CNST.5 / LOD B1 / EQ1 BYTE.7 / WR O0", "OB=1"),
         ("IB=1 W1=4 B1=7", "LDR I0 / LOD W1 / EQ1 CNST.5 / LOD B1 / EQ1 BYTE.7 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 B1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 B2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 BYTE.AREA / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 W1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 W2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 WORD.W1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 WORD.W2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 D1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 D2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 DWRD.D1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 DWRD.D2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 HIGH.W2 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 HIGH.W1 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 QWRD.Q1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD QWRD.Q1 / EQ1 QWRD.Q2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD REAL.R1 / EQ1 REAL.R1 / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD REAL.R1 / EQ1 REAL.R2 / WR O0", "OB=0"),
+        (HALF, "LDR -I0 / LOD CNST.5 / EQ1 FIVE / WR O0", "OB=1"),
+        (HALF, "LDR -I0 / LOD CNST.5 / EQ1 6 / WR O0", "OB=0"),
         ("IB=1 REAL.R1=0.5", "LDR I0 / LOD REAL.R1 / EQ1 CNST.0.5 / WR O0", "OB=1"),
     ]);
 }

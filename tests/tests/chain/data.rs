@@ -1,6 +1,7 @@
 //! Moving data (manual 3.10 and 3.15).
 
-use crate::plc::check;
+use crate::frame;
+use crate::plc::{Plc, check};
 
 #[test]
 fn loading() {
@@ -47,6 +48,36 @@ fn storing() {
         (Q, "LOD QWRD.Q1 / STO D1", "D1=55667788h D2=0"),
         (Q, "LOD QWRD.Q1 / STO QWRD.AREA", "QWRD.AREA=1122334455667788h QWRD.(AREA+8)=0"),
         (Q, "LOD QWRD.Q1 / STO HIGH.W1", "W1=8800h"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR -I0 / STO1 BYTE.AREA / LDR I0 / STO1 BYTE.LONG",
+            "WORD.AREA=88h WORD.LONG=6261h",
+        ),
+        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 W1 / LDR I0 / STO1 W2", "W1=7788h W2=0"),
+        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 D1 / LDR I0 / STO1 D2", "D1=55667788h D2=0"),
+        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 DWRD.AREA", "QWRD.AREA=55667788h"),
+        (Q, "LOD QWRD.Q1 / LDR -I0 / STO1 HIGH.W1 / LDR I0 / STO1 HIGH.W2", "W1=8800h W2=0"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR -I0 / STO1 QWRD.Q2 / LDR I0 / STO1 QWRD.AREA",
+            "QWRD.Q2=1122334455667788h QWRD.AREA=0",
+        ),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR I0 / STO0 BYTE.AREA / LDR -I0 / STO0 BYTE.LONG",
+            "WORD.AREA=88h WORD.LONG=6261h",
+        ),
+        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 W1 / LDR -I0 / STO0 W2", "W1=7788h W2=0"),
+        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 WORD.AREA / LDR -I0 / STO0 WORD.W2", "QWRD.AREA=7788h W2=0"),
+        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 D1 / LDR -I0 / STO0 D2", "D1=55667788h D2=0"),
+        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 DWRD.AREA", "QWRD.AREA=55667788h"),
+        (Q, "LOD QWRD.Q1 / LDR I0 / STO0 HIGH.W1 / LDR -I0 / STO0 HIGH.W2", "W1=8800h W2=0"),
+        (
+            Q,
+            "LOD QWRD.Q1 / LDR I0 / STO0 QWRD.Q2 / LDR -I0 / STO0 QWRD.AREA",
+            "QWRD.Q2=1122334455667788h QWRD.AREA=0",
+        ),
+        ("", "LOD CNST.0.5 / LDR I0 / STO0 REAL.R1 / LDR -I0 / STO0 REAL.R2", "REAL.R1=0.5 REAL.R2=0.0"),
         ("W1=0FFFFh", "LOD CNST.1 / STO BYTE.W1", "W1=0FF01h"),
         ("", "LOD CNST.2.5 / STO REAL.R1 / STO W1", "REAL.R1=2.5 W1=2"),
         ("IB=1", "LOD FIVE / LDR I0 / STO1 B1 / LDR I0 / STO0 B2", "B1=5 B2=0"),
@@ -66,6 +97,17 @@ fn moving() {
         ("W1=1234h W2=0FFFFh", "MOVE BYTE.W2,BYTE.(W1+1)", "W2=0FF12h"),
         ("QWRD.Q1=1122334455667788h", "MOVE QWRD.Q2,QWRD.Q1", "QWRD.Q2=1122334455667788h"),
         ("REAL.R1=0.1", "MOVE REAL.R2,REAL.R1", "REAL.R2=0.1 DR_REAL=0.0"),
+        ("W1=1234h W2=0FFFFh", "MOVE HIGH.W2,HIGH.W1", "W2=12FFh"),
+        ("D1=11223344h", "MOVE WORD.AREA,WORD.D1", "QWRD.AREA=3344h"),
+        ("QWRD.Q1=1122334455667788h", "MOVE DWRD.AREA,DWRD.Q1", "QWRD.AREA=55667788h"),
+        ("B1=12h W1=7", "LDR -I0 / MOVE1 B2,B1", "B2=12h W1=7"),
+        ("D1=11223344h", "LDR -I0 / MOVE1 D2,D1", "D2=11223344h"),
+        ("D1=11223344h", "LDR -I0 / MOVE1 BYTE.AREA,BYTE.D1", "QWRD.AREA=44h"),
+        ("D1=11223344h", "LDR -I0 / MOVE1 WORD.AREA,WORD.D1", "QWRD.AREA=3344h"),
+        ("QWRD.Q1=1122334455667788h", "LDR -I0 / MOVE1 DWRD.AREA,DWRD.Q1", "QWRD.AREA=55667788h"),
+        ("W1=1234h W2=0FFFFh", "LDR -I0 / MOVE1 HIGH.W2,HIGH.W1", "W2=12FFh"),
+        ("QWRD.Q1=1122334455667788h", "LDR -I0 / MOVE1 QWRD.Q2,QWRD.Q1", "QWRD.Q2=1122334455667788h"),
+        ("REAL.R1=0.1", "LDR -I0 / MOVE1 REAL.R2,REAL.R1", "REAL.R2=0.1 DR_REAL=0.0"),
         ("IB=1 W1=7", "LDR I0 / MOVE1 W2,W1", "W2=7 RLO=1"),
         ("IB=0 W1=7", "LDR I0 / MOVE1 W2,W1", "W2=0 RLO=0"),
         ("QWRD.Q1=1122334455667788h", "MV Q1,Q2,3", "QWRD.Q2=667788h"),
@@ -75,6 +117,33 @@ fn moving() {
         ("B2=1 W1=2 W2=3 D1=4 D2=5", "CLEAR W1,D1", "B2=1 W1=0 W2=0 D1=0 D2=5"),
         ("B2=1 AREA.I0=1 R1.I0=1", "CLEAR GLOBAL,ALL", "B2=0 QWRD.AREA=0 QWRD.R1=0"),
     ]);
+}
+
+#[test]
+fn local_cells_and_structures() {
+    let local = "DATA_LOCAL / KEPT: DS 2 / DATA_LOCAL_END";
+    // INTERNAL is what DATA_LOCAL declares.
+    let lines = format!(
+        "{local} / LOD KEPT / STO W1 / LOD CNST.300 / STO KEPT / LDR I0 / JL0 L / CLEAR INTERNAL,ALL / L:"
+    );
+    let mut plc = Plc::of(&lines);
+    plc.run(2);
+    assert_eq!(plc.differences("W1=300"), [""; 0]);
+    plc.set("I0=1");
+    plc.run(2);
+    assert_eq!(plc.differences("W1=0 W2=0 I0=1"), [""; 0]);
+    // Offsets 0, 1, 3 and 7; the last array ends at 31.
+    let structure = "PART STRUC\nKIND DB ?\nCOUNT DW ?\nPLACE DD ?\nSUMS DQ 3 DUP (?)\nPART ENDS\n";
+    let main = " LOD AREA.KIND\n STO D1\n LOD AREA.COUNT\n STO D2\n LOD AREA.PLACE\n STO QWRD.Q1\n LOD QWRD.AREA.SUMS\n STO QWRD.Q2\n \
+                LOD CNST.77\n STO QWRD.(AREA+SUMS+8)\n LOD CNST.-1\n STO AREA.COUNT";
+    let data = format!("{structure}AREA: DS 40\nD1: DS 4\nD2: DS 4\nQ1: DS 8\nQ2: DS 8");
+    let mut plc = Plc::from_source(&frame::program(&data, main, ""));
+    plc.set("QWRD.AREA=8877665544332281h QWRD.(AREA+8)=1011121314151617h");
+    plc.run(1);
+    assert_eq!(
+        plc.differences("D1=0FFFFFF81h D2=3322h QWRD.Q1=77665544h QWRD.Q2=1112131415161788h QWRD.(AREA+15)=77 DWRD.AREA=44FFFF81h"),
+        [""; 0]
+    );
 }
 
 #[test]

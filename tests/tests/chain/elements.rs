@@ -126,6 +126,66 @@ fn cells_have_the_type_that_is_declared() {
 }
 
 #[test]
+fn mapped_elements_of_a_millisecond() {
+    let init = "STRCPY LONG,'Gap' / MAP_IN KEY,'Key',-,FAST / MAP_AIN GAP,LONG,-,FAST / STRCPY LONG,'Belt' / \
+                MAP_AOUT BELT,LONG,-,FAST / STRCPY LONG,'Lamp' / MAP_OUT LAMP,LONG,-,FAST / MAP_AOUT REST,'Rest'";
+    let mut plc = Plc::with_init(init, "");
+    plc.run(1);
+    let sent = |plc: &mut Plc| ["Belt", "Lamp", "Rest"].map(|id| plc.control().output(id).cloned());
+    assert_eq!(sent(&mut plc), [Some(0.0.into()), Some(false.into()), Some(0.0.into())]);
+    plc.tick(5);
+    set(&mut plc, "Key", true);
+    set(&mut plc, "Gap", 2.5);
+    plc.set("BELT=7.5 LAMP=1 REST=1.5");
+    plc.tick(1);
+    holds(&plc, "KEY=1 GAP=2.5");
+    assert_eq!(sent(&mut plc), [Some(7.5.into()), Some(true.into()), Some(0.0.into())]);
+    plc.tick(20);
+    assert_eq!(sent(&mut plc)[2], Some(1.5.into()));
+}
+
+#[test]
+fn every_type_has_its_width_and_its_sign() {
+    // The low bytes of 8899AABBCCDDEEFFh, without sign and with it.
+    let widths: [(&[&str], &str, i128); 4] = [
+        (&["UNS_8", "UNS8", "BYTE"], "0FFh", 0xFF),
+        (&["UNS_16", "UNS16", "WORD"], "0EEFFh", 0xEEFF),
+        (&["UNS_32", "UNS32", "DWORD"], "0CCDDEEFFh", 0xCCDD_EEFF),
+        (&["UNS_64", "UNS64", "QWORD"], "8899AABBCCDDEEFFh", 0x8899_AABB_CCDD_EEFF),
+    ];
+    for ((unsigned, content, value), bits) in widths.into_iter().zip([8, 16, 32, 64]) {
+        let signed = [format!("INT_{bits}"), format!("INT{bits}")].map(|name| (name, value - (1 << bits)));
+        let types = unsigned.iter().map(|name| (name.to_string(), value)).chain(signed);
+        for (name, sent) in types {
+            let init = format!(
+                "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
+            );
+            let wide = if bits == 64 { "QWRD." } else { "" };
+            let mut plc =
+                Plc::with_init(&init, &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"));
+            set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
+            plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+            plc.run(1);
+            holds(&plc, &format!("GOT={content} QWRD.Q2={}", value - (1 << bits)));
+            assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{name}");
+        }
+    }
+    let mut plc = Plc::with_init("DEF_OUT SENT,'Out',TYPE_REAL", "LOD CNST.-1.5 / STO REAL.SENT");
+    plc.run(1);
+    assert_eq!(plc.control().output("Out"), Some(&ElementValue::Real(-1.5)));
+}
+
+#[test]
+fn blocks_keep_their_bytes() {
+    let init = "DEF_IN GOT[4],'In',TYPE_BIN / DEF_OUT SENT[4],'Out',TYPE_BIN";
+    let mut plc = Plc::with_init(init, "LOD GOT / STO SENT");
+    set(&mut plc, "In", &[1, 0, 3, 4, 5][..]);
+    plc.run(1);
+    holds(&plc, "DWRD.GOT=04030001h");
+    assert_eq!(plc.control().output("Out"), Some(&[1, 0, 3, 4][..].into()));
+}
+
+#[test]
 fn links_carry_outputs_to_inputs() {
     let init = "DEF_OUT GATE,'Gate',TYPE_BIT,1 / DEF_IN SHUT,'Shut',TYPE_BIT / DEF_OUT SPEED[2],'Speed',TYPE_INT_16 / \
                 DEF_IN RATE,'Rate',TYPE_REAL,0.5 / DEF_IN ASKED,'Asked',TYPE_INT_32,-,ONDEMAND / \

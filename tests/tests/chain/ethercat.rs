@@ -75,6 +75,90 @@ fn registers_have_elements() {
     assert_eq!(slave(&mut plc).register(0, 51), Some(&[4, 3, 2, 1][..]));
 }
 
+/// Master 0, slave 1, drive 0, the number of an object or register behind them, subindex or flags.
+const CELLS: &str = "W1=1 BYTE.AREA=0 BYTE.(AREA+1)=0 WORD.(AREA+2)=1";
+
+#[test]
+fn numbers_come_from_cells_of_their_type() {
+    let rows = [
+        ("ECAT_COE_READ B2,W1,603Fh,B2,Q1,D1", "", "QWRD.Q1=1234h D1=2"),
+        ("ECAT_COE_READ 0,1,W1,0,Q1,D1", "W1=603Fh", "QWRD.Q1=1234h D1=2"),
+        (
+            "ECAT_COE_READ BYTE.AREA,WORD.(AREA+2),WORD.(AREA+4),BYTE.(AREA+1),Q1,DWRD.D1",
+            "WORD.(AREA+4)=603Fh",
+            "QWRD.Q1=1234h D1=2",
+        ),
+        ("ECAT_SOE_READ B2,W1,B2,B1,51,Q1,D1", "B1=40h", "QWRD.Q1=84030201h D1=4"),
+        ("ECAT_SOE_READ 0,1,0,B1,W1,Q1,D1", "W1=51 B1=40h", "QWRD.Q1=84030201h D1=4"),
+        (
+            "ECAT_SOE_READ BYTE.AREA,WORD.(AREA+2),BYTE.(AREA+1),BYTE.(AREA+6),WORD.(AREA+4),Q1,DWRD.D1",
+            "WORD.(AREA+4)=51 BYTE.(AREA+6)=40h",
+            "QWRD.Q1=84030201h D1=4",
+        ),
+    ];
+    for (lines, given, expected) in rows {
+        let mut plc = transfer(lines);
+        plc.set(&format!("M=1 {CELLS} {given} D1=4 D2=-1"));
+        plc.run(3);
+        assert_eq!(plc.differences(&format!("D2=0 {expected}")), [""; 0], "{lines}");
+    }
+    let rows = [
+        ("ECAT_COE_WRITE B2,W1,6060h,B2,Q1,D1", "D1=1"),
+        ("ECAT_COE_WRITE 0,1,W1,0,Q1,D1", "D1=1 W1=6060h"),
+        (
+            "ECAT_COE_WRITE BYTE.AREA,WORD.(AREA+2),WORD.(AREA+4),BYTE.(AREA+1),Q1,DWRD.D1",
+            "D1=1 WORD.(AREA+4)=6060h",
+        ),
+        ("ECAT_SOE_WRITE B2,W1,B2,B1,51,Q1,D1", "D1=4 B1=40h"),
+        ("ECAT_SOE_WRITE 0,1,0,B1,W1,Q1,D1", "D1=4 W1=51 B1=40h"),
+        (
+            "ECAT_SOE_WRITE BYTE.AREA,WORD.(AREA+2),BYTE.(AREA+1),BYTE.(AREA+6),WORD.(AREA+4),Q1,DWRD.D1",
+            "D1=4 WORD.(AREA+4)=51 BYTE.(AREA+6)=40h",
+        ),
+    ];
+    for (lines, given) in rows {
+        let mut plc = transfer(lines);
+        plc.set(&format!("M=1 {CELLS} {given} DWRD.Q1=0A0B0C0Dh D2=-1"));
+        plc.run(3);
+        assert_eq!(plc.differences("M=0 D2=0"), [""; 0], "{lines}");
+        if lines.contains("COE") {
+            assert_eq!(slave(&mut plc).object(0x6060, 0), Some(&[0x0D][..]), "{lines}");
+        } else {
+            assert_eq!(slave(&mut plc).register(0, 51), Some(&[0x0D, 0x0C, 0x0B, 0x0A][..]), "{lines}");
+        }
+    }
+}
+
+#[test]
+fn each_command_leads_to_its_state() {
+    use EcatState::{Bootstrap, Init, Operational, PreOperational, SafeOperational};
+    let states = [
+        ("INIT", Init),
+        ("PREOPERATIONAL", PreOperational),
+        ("BOOTSTRAP", Bootstrap),
+        ("SAFEOPERATIONAL", SafeOperational),
+        ("OPERATIONAL", Operational),
+    ];
+    for (name, state) in states {
+        // From above and from below.
+        for first in ["INIT", "OPERATIONAL"] {
+            for (who, address) in [("SLAVE", "0,1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")] {
+                let mut plc = Plc::of(&format!(
+                    "MECH_BEGIN M / ECAT_COMMAND {address},ECATCMD_{who}_{first} / EX0 / EX / \
+                     ECAT_COMMAND {address},ECATCMD_{who}_{name} / EX0 / STO D2 / FL 1,O0 / MECH_END M"
+                ));
+                slave(&mut plc);
+                plc.set("M=1 W1=1 D2=-1");
+                plc.run(20);
+                assert_eq!(plc.differences("O0=1 D2=0"), [""; 0], "{who} {first} {name}");
+                assert_eq!(slave(&mut plc).state(), state, "{who} {first} {name}");
+                let master = if who == "MASTER" { state } else { Operational };
+                assert_eq!(plc.control().ethercat_mut().state(), master, "{who} {first} {name}");
+            }
+        }
+    }
+}
+
 #[test]
 fn errors_are_told_in_dr_and_nothing_is_transferred() {
     let mut wrong = Vec::new();
@@ -169,10 +253,16 @@ fn the_master_leads_all_slaves_and_a_slave_without_mailbox_is_refused() {
 
 #[test]
 fn states_are_asked_for() {
-    for (command, expected) in [("0,0,ECATCMD_MASTER_STATE", 8), ("0,1,ECATCMD_SLAVE_STATE", 1)] {
+    let commands = [
+        ("0,0,ECATCMD_MASTER_STATE,D2,D1", 8),
+        ("0,1,ECATCMD_SLAVE_STATE,D2,D1", 1),
+        ("0,1,21,D2,DWRD.D1", 1),
+        ("0,1,CNST.20,D2,D1", 8),
+    ];
+    for (command, expected) in commands {
         let mut plc = Plc::of(&format!(
             "MECH_BEGIN M / ECAT_COMMAND 0,1,ECATCMD_SLAVE_INIT / EX0 / LOD CNST.4 / STO D1 / \
-             ECAT_COMMAND {command},D2,D1 / EX0 / FL 1,O0 / MECH_END M"
+             ECAT_COMMAND {command} / EX0 / FL 1,O0 / MECH_END M"
         ));
         slave(&mut plc);
         plc.set("M=1 D2=-1");

@@ -122,7 +122,7 @@ fn keys_of_the_panel_and_of_the_control_reach_the_program() {
                    [[spindle]]\nport = 1\ngear = [{ max-speed = 400 }, { max-speed = 800 }]\n\
                    [[key]]\nname = 'light'\ncommand = 12\n[[key]]\nname = 'start'\ninput = 'P2IN.0'\n\
                    [[key]]\nname = 'stop'\ninput = 'P2IN.1'\n\
-                   [[block]]\nat-cycle = 2\nm = [91, 40]\nspeed = 630\nrapid = true\nintegers = [7, 8]\naxes = [[2, 1.5]]\n\
+                   [[block]]\nat-cycle = 2\nm = [91, 40]\nspeed = 630\nrapid = true\nintegers = [7, 8]\naxes = [[2, 150.5]]\n\
                    flags = ['rev-feed']\n[[block]]\nm = [3]";
     let lines = "PROC_BEGIN _ON_CMD / WR O0 / STO D1 / PROC_END _ON_CMD / LOD PB03 / STO B1 / LDR M42PI / WR O1 / \
                  LDR PO_STOP / WR O2 / LDR BLK[0].FirstBlock / LA -BLK[0].LastBlock / LA BLK[1].LastBlock / WR O3 / \
@@ -134,7 +134,7 @@ fn keys_of_the_panel_and_of_the_control_reach_the_program() {
     assert_eq!(plc.differences("O0=1 D1=12"), [""; 0]);
     plc.press("light", false);
     plc.run(3);
-    assert_eq!(plc.differences("O0=0 B1=91h O1=1 O2=0 O3=1 D2=8 REAL.R1=1.5 O4=1 O5=1"), [""; 0]);
+    assert_eq!(plc.differences("O0=0 B1=91h O1=1 O2=0 O3=1 D2=8 REAL.R1=150.5 O4=1 O5=1"), [""; 0]);
     plc.press("stop", true);
     plc.run(3);
     assert_eq!(plc.differences("O2=1 O5=0"), [""; 0]);
@@ -203,7 +203,7 @@ fn life(main: &str) -> Plc {
     let source =
         frame::program("IB: DFM I0,I1\nOB: DFM O0,O1\nN: DS 4", main, " LDR I1\n LOD CNST.1\n STO N");
     let source = source.replace(" MODULE_INIT_FINISHED\n", "");
-    Plc::from_source(source.replace("STOP\n", "MODULE_DONE\n LOD CNST.2\n STO N\nMODULE_DONE_END\nSTOP\n"))
+    Plc::from_source(&source.replace("STOP\n", "MODULE_DONE\n LOD CNST.2\n STO N\nMODULE_DONE_END\nSTOP\n"))
 }
 
 #[test]

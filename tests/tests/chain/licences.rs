@@ -22,6 +22,24 @@ fn a_licence_needs_the_key_that_holds_it() {
 }
 
 #[test]
+fn each_feature_has_its_licence() {
+    for n in 0..=9 {
+        let mut plc = Plc::of(&format!("LDR_LIC FeaturePlc{n} / WR O0"));
+        plc.control().licences_mut().connect_key(true);
+        for other in 0..=9 {
+            plc.control().licences_mut().set_feature(other, other != n);
+        }
+        plc.run(1);
+        assert_eq!(plc.differences("O0=0"), [""; 0], "{n}");
+        for other in 0..=9 {
+            plc.control().licences_mut().set_feature(other, other == n);
+        }
+        plc.run(1);
+        assert_eq!(plc.differences("O0=1"), [""; 0], "{n}");
+    }
+}
+
+#[test]
 fn it_opens_an_equation_and_pushes_when_one_is_open() {
     let lines = "LDR I0 / LDR_LIC FeaturePlc3 / LA I1 / LO / WR O0 / LDR_LIC FeaturePlc3 / LA I2 / WR O1";
     for (licence, inputs, expected) in [

@@ -1,6 +1,9 @@
 //! User instructions and macros (manual 22).
 
-use crate::plc::{Plc, check};
+use technol_analysis::project::FileReader;
+
+use crate::frame;
+use crate::plc::{Plc, build, check};
 
 #[test]
 fn a_call_does_what_its_lines_do() {
@@ -32,6 +35,13 @@ fn a_call_does_what_its_lines_do() {
              LIMITED W1 / LIMITED W2",
             "W1=100 W2=50",
         ),
+        // Another word for it.
+        (
+            "IB=1",
+            "DEF_T_MACRO COPY FROM,TO / LDR TMAC.FROM / WR TMAC.TO / END_T_MACRO T_END / \
+             APPEND_T_MACRO SHOW,COPY,T_END / SHOW I0,O4",
+            "OB=10h",
+        ),
         // What opens an equation and what takes it back.
         (
             "IB=0Ch",
@@ -46,6 +56,31 @@ fn a_call_does_what_its_lines_do() {
             "W1=6 B2=7",
         ),
     ]);
+}
+
+/// A project of two files.
+struct TwoFiles(String);
+
+impl FileReader for TwoFiles {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        match path {
+            "plc.plc" => Ok(self.0.clone().into_bytes()),
+            "more.inc" => {
+                Ok(b"EQUI SEVEN,7\n DEF_T_MACRO COPY FROM,TO\n LOD TMAC.FROM\n STO TMAC.TO\n END_T_MACRO\n"
+                    .to_vec())
+            }
+            _ => Err("no such file".to_owned()),
+        }
+    }
+}
+
+#[test]
+fn what_an_included_file_defines_is_used() {
+    let main = frame::program("W1: DS 2\nW2: DS 2", " COPY SEVEN,W1\n COPY W1,W2", "");
+    let image = build(&TwoFiles(format!("T_INCLUDE more.inc\n{main}")), "plc.plc").image;
+    let mut plc = Plc::from_image(image);
+    plc.run(1);
+    assert_eq!(plc.differences("W1=7 W2=7"), Vec::<String>::new());
 }
 
 #[test]

@@ -85,6 +85,46 @@ fn tim_waits_its_cycles_and_restarts() {
 }
 
 #[test]
+fn counters_and_times_of_every_kind() {
+    let given = "M=1 B2=2 W2=2";
+    for operands in ["NIL,2", "-,2", "B1,2", "W1,2", "W1,FIVE-3", "-,B2", "NIL,W2"] {
+        let lines = format!("MECH_BEGIN M / TIM {operands} / FL 1,O0 / MECH_END M");
+        follow(&lines, &[(given, "O0=0 M=1"), ("", "O0=0 M=1"), ("", "O0=1 M=0")]);
+        for (instruction, condition) in [("TEX0", "I0"), ("TEX1", "-I0")] {
+            let lines = format!(
+                "MECH_BEGIN M / LDR {condition} / {instruction} {operands},E / JUM F / E: / FL 1,O1 / F: / MECH_END M"
+            );
+            follow(&lines, &[(given, "O1=0 M=1"), ("", "O1=0 M=1"), ("", "O1=1 M=0")]);
+        }
+    }
+}
+
+#[test]
+fn the_code_of_an_error_is_loaded_as_lod_would() {
+    let codes = [
+        ("", "6"),
+        (",CNST.-77", "-77"),
+        (",77", "77"),
+        (",B2", "0FFFFFFF3h"),
+        (",BYTE.AREA", "45h"),
+        (",W2", "0FFFF8765h"),
+        (",WORD.AREA", "2345h"),
+        (",D2", "98765432h"),
+        (",DWRD.AREA", "12345h"),
+    ];
+    for (code, expected) in codes {
+        for (instruction, condition) in [("TEX0", "I0"), ("TEX1", "-I0")] {
+            let lines = format!(
+                "MECH_BEGIN M / LOD CNST.6 / LDR {condition} / {instruction} -,1,E{code} / JUM F / E: / STO D1 / F: / \
+                 MECH_END M"
+            );
+            let given = "M=1 B2=0F3h W2=8765h D2=98765432h DWRD.AREA=12345h";
+            follow(&lines, &[(given, "D1=0 M=1"), ("", &format!("D1={expected} M=0"))]);
+        }
+    }
+}
+
+#[test]
 fn tex_waits_for_its_condition_or_jumps_when_the_time_is_over() {
     for (instruction, waiting, passing) in [("TEX0", "I0=0", "I0=1"), ("TEX1", "I0=1", "I0=0")] {
         let lines = format!(

@@ -5,11 +5,13 @@ use std::path::Path;
 use technol_analysis::expression::{self, Assignment, RegisterValues, Target};
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Built, Change};
+use technol_image::container::Image;
 use technol_image::{DebugInfo, Program};
 use technol_machine::{MachineConfig, SimulatedControl};
 use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::{Simulation, parse_machine};
 
+use crate::coverage::{concerns, left_out, loaded, recorded};
 use crate::frame;
 
 /// The cells of the tables; they lie one behind the other in this order.
@@ -101,28 +103,53 @@ impl Plc {
         let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
         let modules: String =
             modules.split(" / ").flat_map(|line| [indented(line), "\n".to_owned()]).collect();
-        Plc::load(source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
+        Plc::load(&source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
     }
 
     /// A program of these lines of MODULE_MAIN in front of a machine, past MODULE_INIT.
     pub(crate) fn before(machine: &str, lines: &str) -> Plc {
         let main: Vec<String> = lines.split(" / ").map(str::trim).map(indented).collect();
         let machine = parse_machine(Path::new("machine.toml"), machine).expect("a machine");
-        Plc::load(frame::program(DATA, &main.join("\n"), ""), Some(&machine))
+        Plc::load(&frame::program(DATA, &main.join("\n"), ""), Some(&machine))
     }
 
     /// A program of this text, past MODULE_INIT.
-    pub(crate) fn from_source(source: String) -> Plc {
+    pub(crate) fn from_source(source: &str) -> Plc {
         Plc::load(source, None)
     }
 
-    fn load(source: String, machine: Option<&MachineConfig>) -> Plc {
-        let built = build(&OneFile(source), "plc.plc");
-        let debug = built.image.debug.expect("a build has debug information");
-        let mut simulation = Simulation::new(built.image.program, machine).expect("it can be loaded");
+    fn load(source: &str, machine: Option<&MachineConfig>) -> Plc {
+        let mut image = recorded(source, || build(&OneFile(source.to_owned()), "plc.plc").image);
+        left_out(source, &mut image);
+        Plc::of_image(image, machine)
+    }
+
+    /// A program that was built, past MODULE_INIT.
+    pub(crate) fn from_image(image: Image) -> Plc {
+        Plc::of_image(image, None)
+    }
+
+    fn of_image(image: Image, machine: Option<&MachineConfig>) -> Plc {
+        let debug = image.debug.expect("a build has debug information");
+        let mut simulation = loaded(Simulation::new(image.program, machine));
         simulation.start(true);
         simulation.tick(&mut Vec::new());
         Plc { simulation, debug }
+    }
+
+    /// Whether a line with code lies in a DEBUG region.
+    pub(crate) fn in_debug_region(&self, line: u32) -> Option<bool> {
+        self.debug.lines.iter().find(|it| it.line == line).map(|it| it.in_debug_region)
+    }
+
+    /// The first operation of a line.
+    pub(crate) fn pc_of(&self, line: usize) -> Option<u32> {
+        self.debug.lines.iter().find(|it| it.line as usize == line).map(|it| it.pc)
+    }
+
+    /// The line of an operation.
+    pub(crate) fn line_of(&self, pc: u32) -> Option<usize> {
+        self.debug.line_at(pc).map(|line| line.line as usize)
     }
 
     /// What happens in so many cycles.
@@ -272,7 +299,7 @@ fn indented(line: &str) -> String {
 #[track_caller]
 pub(crate) fn check(rows: &[Row]) {
     let mut wrong = Vec::new();
-    for (given, lines, then) in rows {
+    for (given, lines, then) in rows.iter().filter(|(_, lines, _)| concerns(lines)) {
         let mut plc = Plc::of(lines);
         plc.set(given);
         plc.run(1);

@@ -34,6 +34,18 @@ fn texts_go_by_their_count_and_not_by_their_end_mark() {
 }
 
 #[test]
+fn values_and_counts_of_every_type() {
+    let lines = "COM_SEND 1,BYTE.B1 / COM_SEND 1,68 / COM_SEND_STR 1,LONG,BYTE.B2 / COM_SEND_STR 1,SHORT,W1 / \
+                 COM_SEND_STR 1,MIDDLE,WORD.W2 / COM_RECV 1,BYTE.AREA / WR O0";
+    let mut plc = connected(lines);
+    plc.set("B1=67 B2=3 W1=2 W2=1 DWRD.AREA=-1 OB=1");
+    plc.control().serial_mut(1).feed(&[0x5A]);
+    plc.run(1);
+    assert_eq!(plc.differences("OB=0 DWRD.AREA=0FFFFFF5Ah"), [""; 0]);
+    assert_eq!(plc.control().serial_mut(1).take_sent(), *b"CDabccda");
+}
+
+#[test]
 fn a_count_in_a_byte_has_no_sign() {
     let mut plc = connected("LDR I0 / JL0 L9 / COM_SEND_STR 1,BIG,B1 / WR O0 / L9:");
     plc.control().serial_mut(1).set_baud(1_000_000);

@@ -63,6 +63,71 @@ fn a_shared_area_is_granted_in_the_next_cycle() {
 }
 
 #[test]
+fn offsets_of_every_type() {
+    for offset in ["CNST.300", "300", "W1", "WORD.W1"] {
+        let lines = format!(
+            "MECH_BEGIN M / SA_READ 1,{offset},2,D1 / EX0 / SA_WRITE 0,{offset},3,Q1 / EX0 / MECH_END M"
+        );
+        let mut plc = Plc::of(&lines);
+        plc.control().shared_area_mut(1).expect("an area")[300..304].copy_from_slice(&[1, 2, 3, 4]);
+        plc.set("M=1 W1=300 DWRD.Q1=44332211h");
+        plc.run(3);
+        holds(&plc, "D1=0201h M=0");
+        assert_eq!(plc.control().shared_area_mut(0).expect("an area")[299..304], [0, 0x11, 0x22, 0x33, 0]);
+    }
+}
+
+#[test]
+fn cells_of_every_type() {
+    let types: [(&str, i64); 20] = [
+        ("INT_8", -1),
+        ("INT8", -1),
+        ("UNS_8", 0xFF),
+        ("UNS8", 0xFF),
+        ("BYTE", 0xFF),
+        ("INT_16", -0x1101),
+        ("INT16", -0x1101),
+        ("UNS_16", 0xEEFF),
+        ("UNS16", 0xEEFF),
+        ("WORD", 0xEEFF),
+        ("INT_32", -0x3322_1101),
+        ("INT32", -0x3322_1101),
+        ("UNS_32", 0xCCDD_EEFF),
+        ("UNS32", 0xCCDD_EEFF),
+        ("DWORD", 0xCCDD_EEFF),
+        ("INT_64", -0x7766_5544_3322_1101),
+        ("INT64", -0x7766_5544_3322_1101),
+        ("UNS_64", -0x7766_5544_3322_1101),
+        ("UNS64", -0x7766_5544_3322_1101),
+        ("QWORD", -0x7766_5544_3322_1101),
+    ];
+    for (name, value) in types {
+        let init = format!(
+            "STRCPY LONG,'Of' / SHARE_VAR Q1,LONG,TYPE_{name} / WR O0 / SHARE_BIT OB,LONG,O1 / WR O1"
+        );
+        let mut plc = Plc::with_init(&init, "");
+        holds(&plc, "O0=1 O1=0");
+        plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+        let [(of, found)] = &shared(&mut plc)[..] else { panic!("one name") };
+        assert_eq!((of.as_str(), found), ("Of", &Value::Int(value)), "{name}");
+    }
+    let mut plc = Plc::with_init("STRCPY LONG,'Lit' / SHARE_BIT OB,LONG,O1", "FL 1,O1");
+    plc.run(1);
+    assert_eq!(shared(&mut plc), [("Lit".to_owned(), Value::Int(1))]);
+}
+
+#[test]
+fn either_limit_may_be_left_out() {
+    let init = "SHARE_VAR D1,'A',TYPE_DWORD,-,REAL.R2 / SHARE_VAR D1,'B',TYPE_DWORD,REAL.R1,- / SHARE_VAR D1,'C',TYPE_DWORD,R2 / \
+                SHARE_VAR D1,'D',TYPE_DWORD,-,R1";
+    let mut plc = Plc::with_init(init, "");
+    plc.set("REAL.R1=1.5 REAL.R2=2.5");
+    let memory = plc.memory().to_vec();
+    let limits: Vec<_> = plc.control().shared().iter().map(|it| it.limits(&memory)).collect();
+    assert_eq!(limits, [[None, Some(2.5)], [Some(1.5), None], [Some(2.5), None], [None, Some(1.5)]]);
+}
+
+#[test]
 fn what_stands_before_a_transfer_is_executed_once() {
     let mut plc = Plc::of("MECH_BEGIN M / LOD W1 / INR / STO W1 / SA_WRITE 0,31996,4,D1 / EX0 / MECH_END M");
     plc.set("M=1 D1=11223344h");

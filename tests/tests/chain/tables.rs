@@ -53,6 +53,8 @@ fn check(rows: &[(&str, &str, &str)]) {
 
 #[test]
 fn columns_lines_and_counts() {
+    // `Feed` as a text.
+    const FEED: &str = "DWRD.LONG=64656546h BYTE.(LONG+4)=0";
     check(&[
         ("", "PLCT_COL_INDEX 0,'Feed',W1", "W1=2 OB=1 D2=0"),
         ("W1=9", "PLCT_COL_INDEX 0,'feed',W1", "W1=9 OB=0 D2=3"),
@@ -68,6 +70,38 @@ fn columns_lines_and_counts() {
         ("W1=9", "PLCT_GET_SELLINE 0,W1", "W1=0 OB=1"),
         ("", "PLCT_GET_LINESCOUNT 0,W1", "W1=2 OB=1"),
         ("", "PLCT_SET_SELLINE 0,2", "OB=0 D2=2"),
+        (FEED, "PLCT_COL_INDEX B2,LONG,B1", "B1=2 B2=0 OB=1 D2=0"),
+        ("", "PLCT_COL_INDEX BYTE.B2,'Feed',BYTE.AREA", "QWRD.AREA=2 OB=1"),
+        ("", "PLCT_COL_INDEX 0,'Feed',WORD.AREA", "QWRD.AREA=2 OB=1"),
+        ("D1=99", "PLCT_COL_INDEX 0,'Feed',D1", "D1=2 OB=1"),
+        ("DWRD.AREA=99", "PLCT_COL_INDEX 0,'Feed',DWRD.AREA", "QWRD.AREA=2 OB=1"),
+        ("DWRD.LONG=1", "PLCT_COL_ID B2,LONG", "QWRD.LONG=6867006874656554h OB=1"),
+        ("DWRD.LONG=1", "PLCT_COL_ID BYTE.B2,LONG", "QWRD.LONG=6867006874656554h OB=1"),
+        ("W1=3 D1=-1", "PLCT_COL_TYPE B2,WORD.W1,D1", "D1=4 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_COL_TYPE BYTE.B2,1,BYTE.AREA", "DWRD.AREA=0FFFFFF01h OB=1"),
+        ("DWRD.AREA=-1", "PLCT_COL_TYPE 0,1,DWRD.AREA", "DWRD.AREA=1 OB=1"),
+        ("W1=-1", "PLCT_COL_TYPE 0,2,W1", "W1=2 W2=0 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_COL_TYPE 0,2,WORD.AREA", "DWRD.AREA=0FFFF0002h OB=1"),
+        ("B1=-1", "PLCT_GET_SELLINE B2,B1", "B1=0 B2=0 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_GET_SELLINE BYTE.B2,BYTE.AREA", "DWRD.AREA=0FFFFFF00h OB=1"),
+        ("D1=-1", "PLCT_GET_SELLINE 0,D1", "D1=0 OB=1"),
+        ("QWRD.AREA=-1", "PLCT_GET_SELLINE 0,DWRD.AREA", "DWRD.AREA=0 DWRD.(AREA+4)=-1 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_GET_SELLINE 0,WORD.AREA", "DWRD.AREA=0FFFF0000h OB=1"),
+        ("B1=-1", "PLCT_GET_LINESCOUNT B2,B1", "B1=2 B2=0 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_GET_LINESCOUNT BYTE.B2,BYTE.AREA", "DWRD.AREA=0FFFFFF02h OB=1"),
+        ("D1=-1", "PLCT_GET_LINESCOUNT 0,D1", "D1=2 OB=1"),
+        ("QWRD.AREA=-1", "PLCT_GET_LINESCOUNT 0,DWRD.AREA", "DWRD.AREA=2 DWRD.(AREA+4)=-1 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_GET_LINESCOUNT 0,WORD.AREA", "DWRD.AREA=0FFFF0002h OB=1"),
+        ("W1=-1", "PLCT_CHANGED B2,W1", "W1=0 W2=0 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_CHANGED BYTE.B2,BYTE.AREA", "DWRD.AREA=0FFFFFF00h OB=1"),
+        ("D1=-1", "PLCT_CHANGED 0,D1", "D1=0 OB=1"),
+        ("QWRD.AREA=-1", "PLCT_CHANGED 0,DWRD.AREA", "DWRD.AREA=0 DWRD.(AREA+4)=-1 OB=1"),
+        ("DWRD.AREA=-1", "PLCT_CHANGED 0,WORD.AREA", "DWRD.AREA=0FFFF0000h OB=1"),
+        ("B2=1", "PLCT_CHANGED B2,B1", "OB=0 D2=1"),
+        ("B2=1", "PLCT_COL_TYPE B2,0,B1", "OB=0 D2=1"),
+        ("B2=1", "PLCT_GET_SELLINE B2,B1", "OB=0 D2=1"),
+        ("B2=1", "PLCT_GET_LINESCOUNT B2,B1", "OB=0 D2=1"),
+        ("B2=1", "PLCT_SET_SELLINE B2,0", "OB=0 D2=1"),
     ]);
 }
 
@@ -83,6 +117,24 @@ fn values_are_read_at_the_width_of_their_target() {
         ("", "PLCT_GET_STR 0,0,0,SHORT", "DWRD.SHORT=00657453h BYTE.BEHIND=77h OB=1"),
         ("", "PLCT_GET_BIN 0,0,3,AREA+1", "QWRD.AREA=03020100h OB=1"),
         ("", "PLCT_GET_BIN 0,0,3,W1", "W1=0201h W2=0 OB=1"),
+        ("W2=1", "PLCT_GET_INT B2,W1,W2,W1", "W1=0FFFDh W2=1 OB=1"),
+        ("W2=1", "PLCT_GET_INT BYTE.B2,WORD.W1,WORD.W2,WORD.AREA", "QWRD.AREA=0FFFDh OB=1"),
+        ("", "PLCT_GET_INT 0,0,1,DWRD.AREA", "QWRD.AREA=0FFFFFFFDh OB=1"),
+        ("", "PLCT_GET_INT 0,0,1,BYTE.AREA", "QWRD.AREA=0FDh OB=1"),
+        ("W2=2", "PLCT_GET_REAL B2,W1,W2,QWRD.R1", "REAL.R1=120.5 OB=1"),
+        ("W2=2", "PLCT_GET_REAL BYTE.B2,WORD.W1,WORD.W2,REAL.R1", "REAL.R1=120.5 OB=1"),
+        ("W1=1", "PLCT_GET_STR B2,W1,W2,LONG", "QWRD.LONG=6867007373617242h OB=1"),
+        ("W1=1", "PLCT_GET_STR BYTE.B2,WORD.W1,WORD.W2,LONG", "QWRD.LONG=6867007373617242h OB=1"),
+        ("W2=3", "PLCT_GET_BIN B2,W1,W2,AREA", "QWRD.AREA=030201h OB=1"),
+        ("W2=3", "PLCT_GET_BIN BYTE.B2,WORD.W1,WORD.W2,AREA", "QWRD.AREA=030201h OB=1"),
+        ("", "PLCT_GET_REAL 0,0,1,R1", "REAL.R1=0.0 OB=0 D2=4"),
+        ("", "PLCT_GET_REAL 0,2,2,R1", "REAL.R1=0.0 OB=0 D2=2"),
+        ("", "PLCT_GET_STR 0,0,1,LONG", "QWRD.LONG=6867666564636261h OB=0 D2=4"),
+        ("", "PLCT_GET_BIN 0,0,0,AREA", "QWRD.AREA=0 OB=0 D2=4"),
+        ("", "PLCT_GET_BIN 0,0,4,AREA", "QWRD.AREA=0 OB=0 D2=3"),
+        ("", "PLCT_SET_REAL 0,2,2,R1", "OB=0 D2=2"),
+        ("", "PLCT_SET_STR 0,0,4,LONG", "OB=0 D2=3"),
+        ("", "PLCT_SET_BIN 1,0,3,LONG", "OB=0 D2=1"),
         ("", "PLCT_GET_INT 0,2,1,D1", "D1=0 OB=0 D2=2"),
         ("", "PLCT_GET_INT 0,0,4,D1", "D1=0 OB=0 D2=3"),
         ("", "PLCT_GET_INT 0,0,2,D1", "D1=0 OB=0 D2=4"),
@@ -98,6 +150,23 @@ fn values_are_written() {
         ("", "PLCT_SET_INT 0,1,1,LONG", 1, 1, Value::Int(0x6463_6261)),
         ("REAL.R1=-0.25", "PLCT_SET_REAL 0,1,2,R1", 1, 2, Value::Real(-0.25)),
         ("", "PLCT_SET_STR 0,1,0,SHORT", 1, 0, Value::Text(text("cde"))),
+        ("W1=1 W2=1 D1=0FFFFFFFEh", "PLCT_SET_INT B2,W1,W2,D1", 1, 1, Value::Int(-2)),
+        ("W1=1 W2=1 D1=-7", "PLCT_SET_INT BYTE.B2,WORD.W1,WORD.W2,DWRD.D1", 1, 1, Value::Int(-7)),
+        ("D1=1FEh", "PLCT_SET_INT 0,1,1,BYTE.D1", 1, 1, Value::Int(-2)),
+        ("D1=1FFFEh", "PLCT_SET_INT 0,1,1,WORD.D1", 1, 1, Value::Int(-2)),
+        ("W1=0FFFDh", "PLCT_SET_INT 0,1,1,W1", 1, 1, Value::Int(-3)),
+        ("W1=1 W2=2 REAL.R1=2.5", "PLCT_SET_REAL B2,W1,W2,QWRD.R1", 1, 2, Value::Real(2.5)),
+        ("W1=1 W2=2 REAL.R1=2.5", "PLCT_SET_REAL BYTE.B2,WORD.W1,WORD.W2,REAL.R1", 1, 2, Value::Real(2.5)),
+        ("W1=1", "PLCT_SET_STR B2,W1,W2,SHORT", 1, 0, Value::Text(text("cde"))),
+        ("W1=1", "PLCT_SET_STR BYTE.B2,WORD.W1,WORD.W2,SHORT", 1, 0, Value::Text(text("cde"))),
+        ("W1=1 W2=3", "PLCT_SET_BIN B2,W1,W2,SHORT+1", 1, 3, Value::Bytes(vec![b'd', b'e', 0])),
+        (
+            "W1=1 W2=3",
+            "PLCT_SET_BIN BYTE.B2,WORD.W1,WORD.W2,SHORT+1",
+            1,
+            3,
+            Value::Bytes(vec![b'd', b'e', 0]),
+        ),
         ("", "PLCT_SET_BIN 0,1,3,SHORT+1", 1, 3, Value::Bytes(vec![b'd', b'e', 0])),
     ];
     for (given, line, row, column, value) in rows {
@@ -138,6 +207,19 @@ fn the_program_is_told_what_the_operator_changed() {
     ask(&mut plc, "B1=1 M=0");
     ask(&mut plc, "B1=2 M=0");
     ask(&mut plc, "B1=0 M=0");
+}
+
+#[test]
+fn a_line_is_selected_by_a_value_of_any_type() {
+    for operands in ["0,B1", "B2,BYTE.B1", "BYTE.B2,CNST.1", "0,D1", "0,DWRD.D1", "0,WORD.W1"] {
+        let mut plc = Plc::of(&format!(
+            "MECH_BEGIN M / PLCT_SET_SELLINE {operands} / EX0 / PLCT_GET_SELLINE 0,W2 / EX0 / MECH_END M"
+        ));
+        plc.control().set_data(data());
+        plc.set("M=1 B1=1 W1=1 D1=1 W2=9");
+        plc.run(3);
+        assert_eq!(plc.differences("W2=1 M=0"), [""; 0], "{operands}");
+    }
 }
 
 #[test]

@@ -20,8 +20,10 @@ fn a_timer_is_on_once_its_condition_has_lasted() {
     follow("I0=1", lines, &["O0=0 B1=1", "O0=0 B1=2", "O0=0 B1=3", "O0=1 B1=3", "O0=1 B1=3"]);
     follow("I0=0 B1=2", lines, &["O0=0 B1=0", "O0=0 B1=0"]);
     follow("I0=1 W1=0FFFEh", "LDR I0 / LOD CNST.-1 / TM W1 / WR O0", &["O0=0 W1=0FFFFh", "O0=1 W1=0FFFFh"]);
-    let automatic = "LDR I0 / LOD CNST.2 / TM - / WR O0";
-    follow("I0=1", automatic, &["O0=0", "O0=0", "O0=1"]);
+    for automatic in ["-", "NIL"] {
+        let lines = format!("LDR I0 / LOD CNST.2 / TM {automatic} / WR O0");
+        follow("I0=1", &lines, &["O0=0", "O0=0", "O0=1"]);
+    }
 }
 
 /// O7 is 1, 0, 1, 0, … from the first cycle on.
@@ -34,6 +36,7 @@ fn counters_count_rising_edges() {
     follow("B1=255", &format!("{TOGGLE} / LOD CNST.0 / CU B1 / WR O0"), &["B1=0 O0=1"]);
     let down = format!("{TOGGLE} / LOD CNST.0 / CD W1 / WR O0");
     follow("W1=2", &down, &["W1=1 O0=0", "W1=1", "W1=0 O0=1", "W1=0 O0=1", "W1=0FFFFh O0=0 DR64=-1"]);
+    follow("", &format!("{TOGGLE} / LOD CNST.-1 / CD B1 / WR O0"), &["B1=0FFh O0=1"]);
     let decimal = format!("{TOGGLE} / LOD CNST.10h / CUBCD W1 / WR O0");
     follow("W1=8", &decimal, &["W1=9 O0=0", "W1=9", "W1=10h O0=1 DR64=10h"]);
     follow("B1=99h", &format!("{TOGGLE} / LOD CNST.0 / CUBCD B1 / WR O0"), &["B1=0 O0=1"]);
@@ -54,6 +57,15 @@ fn time_blocks_run_once_in_their_time() {
             assert_eq!(plc.differences(&format!("W1={times}")), [""; 0], "{block}");
         }
     }
+}
+
+#[test]
+fn a_block_of_100_s() {
+    let mut plc = Plc::of("DFTM100 L / LOD W1 / INR / STO W1 / L:");
+    plc.run(5000);
+    assert_eq!(plc.differences("W1=0"), [""; 0]);
+    plc.run(1);
+    assert_eq!(plc.differences("W1=1"), [""; 0]);
 }
 
 #[test]

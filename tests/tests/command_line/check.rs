@@ -37,7 +37,7 @@ fn a_clean_project_says_so_and_ends_with_0() {
     let lathe = Lathe::copy();
     for path in [lathe.folder().to_string_lossy().into_owned(), lathe.path("technol.toml")] {
         let out = run(&["check", &path]).ok();
-        assert!(out.starts_with("clean:") && out.contains("7 files"), "{out}");
+        assert!(out.starts_with("clean:") && out.contains("8 files"), "{out}");
         assert_eq!(run(&["check", &path, "--format", "json"]).ok(), "");
     }
 }

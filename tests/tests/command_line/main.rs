@@ -19,3 +19,4 @@ mod ran;
 mod run;
 mod target;
 mod test;
+mod wired;

@@ -3,7 +3,9 @@
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Change};
 use technol_image::Program;
-use technol_machine::{CanPacket, Column, ControlData, ElementValue, Table, Value, ValueKind};
+use technol_machine::{
+    CanPacket, Column, ControlData, ElementValue, MessageKind, MessageText, Table, Value, ValueKind,
+};
 use technol_target::Simulation;
 
 /// One file as a project.
@@ -51,6 +53,13 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         constants: [(text("Offs"), 260)].into(),
         tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
         backup: vec![1; 100],
+        messages: [
+            (12, MessageKind::Err, false, "%d of %X"),
+            (67, MessageKind::Wrn1, true, "%d, then %d"),
+            (1003, MessageKind::Event, false, "both edges"),
+        ]
+        .map(|(number, kind, persistent, it)| (number, MessageText { kind, persistent, text: text(it) }))
+        .into(),
         ..ControlData::default()
     });
     let control = simulation.control_mut();
@@ -70,12 +79,12 @@ pub(crate) fn feed(simulation: &mut Simulation, cycle: u32) {
     let value = cycle as u8;
     let control = simulation.control_mut();
     // Both queues run full in between.
-    for n in 0..if cycle % 50 == 0 { 100 } else { 3 } {
+    for n in 0..if cycle.is_multiple_of(50) { 100 } else { 3 } {
         control.can_mut().feed(1, CanPacket::new(0x300, &[value, n]));
         control.can_mut().feed(2, CanPacket::new(0x581, &[value, n]));
     }
     control.serial_mut(1).feed(&[value; 5]);
-    control.set_input("inDoor", ElementValue::from(cycle % 2 == 0)).expect("an input");
+    control.set_input("inDoor", ElementValue::from(cycle.is_multiple_of(2))).expect("an input");
     control.set_input("In", ElementValue::from(i64::from(value))).expect("an input");
     control.edit_table(0, 0, 1, Value::Int(i64::from(value)));
     control.select_row(0, cycle as usize % 3);
@@ -96,6 +105,7 @@ pub(crate) fn happened(simulation: &mut Simulation) {
     let written = control.shared_area_mut(0).expect("an area").iter().any(|byte| *byte != 0);
     assert!(written, "the shared area was written");
     assert!(control.output("Lamp").is_some(), "outputs left");
+    assert!(control.board().transient().count() > 10, "messages wait to be acknowledged");
     let slave = control.ethercat_mut().slave_mut(1).expect("a slave");
     assert_ne!(slave.object(0x6060, 0), Some(&[1][..]), "the object was written");
 }

@@ -82,7 +82,9 @@ pub(crate) fn check(input: &[u8]) -> bool {
     let base = &BASES[usize::from(*first) % BASES.len()];
     let mut program = base.program.clone();
     let (changes, script) = changes(rest);
-    changes.iter().for_each(|change| change.apply(&mut program));
+    for change in &changes {
+        change.apply(&mut program);
+    }
     // Sealed again and read as a file, as if a compiler had written it.
     let bytes = encode(&Image { program, debug: None });
     let image = decode(&bytes).expect("what was sealed can be opened");
@@ -128,7 +130,7 @@ impl Edit {
             20 => self.list(&mut program.procedures),
             21 => self.list(&mut program.initial),
             22 => self.list(&mut program.regions),
-            _ if self.how % 2 == 0 => self.list(&mut program.init_finished),
+            _ if self.how.is_multiple_of(2) => self.list(&mut program.init_finished),
             _ => self.list(&mut program.done_finished),
         }
     }
@@ -192,8 +194,8 @@ fn run(program: Program, machine: Option<&MachineConfig>, script: &[u8]) -> bool
         if let Some(fault) = simulation.runtime().fault() {
             assert!(fault.pc < code && !fault.to_string().is_empty(), "{fault:?}");
             // It lives on, and a start is obeyed.
-            if millis % 16 == 0 {
-                simulation.start(millis % 32 == 0);
+            if millis.is_multiple_of(16) {
+                simulation.start(millis.is_multiple_of(32));
             }
         }
     }
@@ -228,7 +230,7 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
         }
         1 => drop(plc.set_breakpoints(&[])),
         2 => plc.pause(),
-        3 => plc.set_line_by_line(value % 2 == 0),
+        3 => plc.set_line_by_line(value.is_multiple_of(2)),
         4 => plc.command(Command::StartBlock(Block {
             m: vec![value, 3, 30],
             motion_ms: 5,
@@ -259,7 +261,7 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
         }
         14 => {
             let _ = simulation.control_mut().set_input("Pos[2]", i64::from(value));
-            let _ = simulation.control_mut().set_input("inDoor", ElementValue::from(value % 2 == 0));
+            let _ = simulation.control_mut().set_input("inDoor", ElementValue::from(value.is_multiple_of(2)));
             simulation.control_mut().edit_table(0, 0, 1, Value::Int(i64::from(value)));
             simulation.control_mut().select_row(0, usize::from(value) % 3);
         }

@@ -65,9 +65,9 @@ fn damaged_files_are_refused_or_run_without_panic() {
             let (place, value) = at();
             let place = 1 + place % (file.len() - 1);
             if seed % 4 == 0 {
-                damaged.truncate(place)
+                damaged.truncate(place);
             } else {
-                damaged[place] = value
+                damaged[place] = value;
             }
             let same = damaged == file;
             assert_eq!(image::check(&damaged), same, "every damage is noticed");

@@ -132,7 +132,8 @@ pub(crate) fn mutate_in_place(
     seed: u32,
 ) -> usize {
     let own = String::from_utf8_lossy(&data[..size]).into_owned();
-    let begin = if size < 8 || seed % 31 == 0 { &seeds[seed as usize / 31 % seeds.len()] } else { &own };
+    let begin =
+        if size < 8 || seed.is_multiple_of(31) { &seeds[seed as usize / 31 % seeds.len()] } else { &own };
     let changed = mutate(begin, seeds, u64::from(seed));
     let len = changed.len().min(max);
     data[..len].copy_from_slice(&changed.as_bytes()[..len]);

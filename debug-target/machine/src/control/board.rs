@@ -65,10 +65,7 @@ impl MessageKind {
     /// Messages of this kind go into the event log.
     #[must_use]
     pub fn is_logged(self) -> bool {
-        matches!(
-            self,
-            MessageKind::ErrCritical | MessageKind::Err | MessageKind::Wrn1 | MessageKind::Event
-        )
+        matches!(self, MessageKind::ErrCritical | MessageKind::Err | MessageKind::Wrn1 | MessageKind::Event)
     }
 }
 
@@ -105,21 +102,18 @@ impl Shown {
         let mut text = Vec::with_capacity(rest.len());
         while let Some((first, behind)) = rest.split_first() {
             let form = behind.first().copied().filter(|_| *first == b'%');
-            rest = match form {
-                Some(form @ (b'd' | b'X')) => {
-                    let value = values.next().copied().flatten().unwrap_or(0);
-                    let digits = if form == b'd' {
-                        alloc::format!("{value}")
-                    } else {
-                        alloc::format!("{:X}", value as u32)
-                    };
-                    text.extend_from_slice(digits.as_bytes());
-                    &behind[1..]
-                }
-                _ => {
-                    text.push(*first);
-                    behind
-                }
+            rest = if let Some(form @ (b'd' | b'X')) = form {
+                let value = values.next().copied().flatten().unwrap_or(0);
+                let digits = if form == b'd' {
+                    alloc::format!("{value}")
+                } else {
+                    alloc::format!("{:X}", value as u32)
+                };
+                text.extend_from_slice(digits.as_bytes());
+                &behind[1..]
+            } else {
+                text.push(*first);
+                behind
             };
         }
         text
@@ -270,7 +264,10 @@ mod tests {
         for n in 0..LISTED as u32 + 2 {
             board.report(Some(&known(MessageKind::Wrn3, true)), message(n, 0), true);
         }
-        assert_eq!((board.transient().count(), board.persistent().count(), board.lost()), (WAITING, LISTED, 5));
+        assert_eq!(
+            (board.transient().count(), board.persistent().count(), board.lost()),
+            (WAITING, LISTED, 5)
+        );
     }
 
     #[test]
@@ -288,7 +285,8 @@ mod tests {
             assert_eq!(MessageKind::of(kind.name()), Some(kind));
         }
         assert_eq!(MessageKind::of("err"), None);
-        let logged: Vec<_> = MessageKind::ALL.into_iter().filter(|kind| kind.is_logged()).map(MessageKind::name).collect();
+        let logged: Vec<_> =
+            MessageKind::ALL.into_iter().filter(|kind| kind.is_logged()).map(MessageKind::name).collect();
         assert_eq!(logged, ["ErrCritical", "Err", "Wrn1", "Event"]);
     }
 }

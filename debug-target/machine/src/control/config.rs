@@ -57,14 +57,71 @@ pub struct CanDrive {
     pub object: Vec<Object>,
 }
 
+/// `[ethercat-master]`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Master {
+    /// The program starts the cyclic exchange by flEcatStartCyclicOperation, as with EtherCATOPViaPLC = 1.
+    pub start_by_program: bool,
+}
+
 /// A slave of the EtherCAT master; they stand in the order of wiring.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Slave {
+    /// Its name in identifiers: `ECAT.name.Inputs.…`.
+    pub name: String,
+    /// What it gives in each cycle.
+    pub inputs: Option<Vec<ProcessData>>,
+    /// What it takes in each cycle.
+    pub outputs: Option<Vec<ProcessData>>,
+    /// It is a drive.
+    pub drive: bool,
+    /// Servo loop, 0 to 15, that the drive belongs to.
+    pub servo: Option<u8>,
     /// CANopen objects.
     pub object: Vec<Object>,
     /// Registers of its drives.
     pub register: Vec<Register>,
+}
+
+/// A value of the process image.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct ProcessData {
+    /// Its name in identifiers.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub kind: ProcessType,
+    /// CANopen object behind it, which tells the values of a drive apart.
+    pub object: Option<u16>,
+}
+
+/// Type of a value of the process image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProcessType {
+    /// A bit; those that follow each other share bytes.
+    Bit,
+    /// One byte without sign.
+    Byte,
+    /// Two bytes without sign.
+    Word,
+    /// Four bytes without sign.
+    Dword,
+    /// Eight bytes without sign.
+    Qword,
+    /// One byte with sign.
+    Int8,
+    /// Two bytes with sign.
+    Int16,
+    /// Four bytes with sign.
+    Int32,
+    /// Eight bytes with sign.
+    Int64,
+    /// A real of eight bytes.
+    Real,
 }
 
 /// An object of CANopen.
@@ -132,7 +189,7 @@ impl Kind {
     }
 }
 
-/// Reports numbers that are out of range.
+/// Reports numbers that are out of range, and what is described twice.
 pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
     let mut range = |table, index, key, value: usize, min: usize, max: usize| {
         if !(min..=max).contains(&value) {
@@ -153,6 +210,50 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
         range("can-drive", Some(n), "node", drive.node.unwrap_or(1).into(), 1, 127);
     }
     range("ethercat", None, "", config.ethercat.len(), 0, 256);
+    repeated("serial", "channel", config.serial.iter().map(|it| it.channel), compiler);
+    let units = config.can_unit.iter().map(|it| (it.can, it.group, it.board));
+    repeated("can-unit", "board", units, compiler);
+    repeated("can-drive", "axis", config.can_drive.iter().map(|it| it.axis), compiler);
+    for (n, drive) in config.can_drive.iter().enumerate() {
+        objects("can-drive", n, &drive.object, compiler);
+    }
+    for (n, slave) in config.ethercat.iter().enumerate() {
+        objects("ethercat", n, &slave.object, compiler);
+        let keys: Vec<_> = slave.register.iter().map(|it| (it.drive, it.idn)).collect();
+        if let Some((drive, idn)) = twice(&keys) {
+            compiler.enter("ethercat", Some(n));
+            compiler.error("register", format!("the register {idn} of drive {drive} is described twice"));
+        }
+    }
+    super::ethercat::layout::check(config, compiler);
+}
+
+fn objects(table: &'static str, n: usize, objects: &[Object], compiler: &mut Compiler<'_>) {
+    let keys: Vec<_> = objects.iter().map(|it| (it.index, it.subindex)).collect();
+    if let Some((index, subindex)) = twice(&keys) {
+        compiler.enter(table, Some(n));
+        compiler.error("object", format!("the object {index:04X}h:{subindex} is described twice"));
+    }
+}
+
+fn repeated<T: PartialEq>(
+    table: &'static str,
+    key: &'static str,
+    all: impl Iterator<Item = T>,
+    compiler: &mut Compiler<'_>,
+) {
+    let all: Vec<T> = all.collect();
+    for (n, it) in all.iter().enumerate() {
+        if let Some(first) = all[..n].iter().position(|other| other == it) {
+            compiler.enter(table, Some(n));
+            compiler.error(key, format!("{table}[{first}] describes the same; leave one of them"));
+        }
+    }
+}
+
+/// The first that is there twice.
+fn twice<T: PartialEq + Copy>(all: &[T]) -> Option<T> {
+    all.iter().enumerate().find(|(n, it)| all[..*n].contains(it)).map(|(_, it)| *it)
 }
 
 impl SimulatedControl {
@@ -175,8 +276,9 @@ impl SimulatedControl {
                 drive.set_object(*index, *subindex, kind.bytes(&value.to_le_bytes()), *read_only);
             }
         }
+        self.ethercat.set_start_by_program(config.ethercat_master.start_by_program);
         for (place, described) in (0..).zip(&config.ethercat) {
-            let Some(slave) = self.ethercat.slave_mut(place) else { return };
+            let Some(slave) = self.ethercat.slave_mut(place) else { break };
             for Object { index, subindex, kind, value, read_only } in &described.object {
                 slave.set_object(*index, *subindex, kind.bytes(&value.to_le_bytes()), *read_only);
             }
@@ -184,5 +286,7 @@ impl SimulatedControl {
                 slave.set_register(*drive, *idn, kind.bytes(&value.to_le_bytes()), *read_only);
             }
         }
+        // What would be an error here was reported when the machine was compiled.
+        let _ = self.ethercat.exchange_with(&config.ethercat, &mut self.elements);
     }
 }

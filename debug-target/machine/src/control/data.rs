@@ -4,6 +4,7 @@ use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use super::board::MessageText;
+use super::elements::ChannelWiring;
 
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,6 +19,8 @@ pub struct ControlData {
     pub tables: Vec<Table>,
     /// PLC_MEM_BACKUP as it was saved last; missing bytes are 0 (manual 18.1).
     pub backup: Vec<u8>,
+    /// Where identifiers of inputs and outputs lead (manual 10 and 27.5).
+    pub wiring: ChannelWiring,
     /// M functions and their groups (`MFunctions`, manual 8.3.5); those that cannot be are left out.
     pub m_groups: Vec<(u8, u8)>,
 }
@@ -174,6 +177,7 @@ impl Table {
     }
 
     /// Replaces a value; false, and nothing happens, outside the table and when the type is not that of the column.
+    #[allow(clippy::needless_pass_by_value)] // a value is given away, whether or not its memory is used
     pub fn set(&mut self, row: usize, column: usize, value: Value) -> bool {
         self.put(row, column, value.content())
     }

@@ -1,15 +1,19 @@
 //! The simulated control around a program: it carries out what the runtime leaves to a
 //! [`Control`](technol_runtime::Control). One file for each family of instructions.
 
+use alloc::vec::Vec;
+
 use technol_image::service::{Arg, Service, ServiceCall};
+use technol_image::system::{self, devices};
 use technol_runtime::{
     AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, FaultKind,
     Hold, Rate,
 };
 
 use crate::config::MachineConfig;
+use crate::fault::BusFault;
 use crate::motion::{BlockState, Cells, Motion};
-use crate::signal::Signal;
+use crate::signal::{BUS_INPUTS, BUS_OUTPUTS, OUTPUT_PORTS, Signal};
 
 mod axes;
 mod backup;
@@ -18,19 +22,25 @@ mod can;
 pub(crate) mod config;
 mod configuration;
 mod data;
+mod edrv;
 pub(crate) mod elements;
-mod ethercat;
+pub(crate) mod ethercat;
+mod faults;
 mod licence;
 mod messages;
 mod objects;
 mod operand;
 mod serial;
 mod shared;
+mod state_machine;
 mod tables;
 mod transfer;
 
+use edrv::Edrv;
 use elements::Elements;
-pub use elements::{Conversion, ElementError, ElementValue};
+pub use elements::{
+    Analog, ChannelWiring, Connection, Conversion, ElementError, ElementValue, Mapping, Physical,
+};
 use messages::Messages;
 use shared::SharedMemory;
 use tables::Tables;
@@ -68,6 +78,10 @@ pub struct SimulatedControl {
     units: Units,
     drives: Drives,
     ethercat: EtherCat,
+    edrv: Edrv,
+    /// What the machine drives the analogue inputs with.
+    analog_inputs: Vec<(u8, f64)>,
+    bus_faults: Vec<BusFault>,
 }
 
 impl SimulatedControl {
@@ -151,8 +165,11 @@ impl SimulatedControl {
         &self.data
     }
 
-    /// Replaces what it has on its disk.
+    /// Replaces what it has on its disk. Inputs and outputs of the configuration count from the next start of the PLC, its
+    /// connections at once.
     pub fn set_data(&mut self, data: ControlData) {
+        // An identifier that is none connects nothing; who reads the files reports it.
+        let _ = self.elements.configure(data.wiring.clone());
         self.data = data;
         backup::make_room(&mut self.data.backup);
     }
@@ -268,6 +285,47 @@ impl SimulatedControl {
     }
 }
 
+impl SimulatedControl {
+    /// What the control gives the slaves of its buses.
+    pub(crate) fn bus_outputs(&self) -> &[u8; BUS_OUTPUTS] {
+        self.ethercat.outputs()
+    }
+
+    /// What the slaves give.
+    pub(crate) fn set_bus_inputs(&mut self, inputs: &[u8; BUS_INPUTS]) {
+        self.ethercat.set_inputs(inputs);
+    }
+
+    /// Voltages of analogue inputs by channel.
+    pub(crate) fn set_analog_inputs(&mut self, inputs: &[(u8, f64)]) {
+        self.analog_inputs.clear();
+        self.analog_inputs.extend_from_slice(inputs);
+    }
+
+    /// Short circuits that the program is told of, of those there are: units tell of outputs that are on, and IO_DIS_ERPIS
+    /// keeps them silent (manual 9.3).
+    #[must_use]
+    pub fn reported(&mut self, shorted: &[u8; OUTPUT_PORTS], memory: &[u8]) -> [u8; OUTPUT_PORTS] {
+        let mut reported = *shorted;
+        let outputs = memory.get(system::OUT_PORTS as usize..).unwrap_or_default();
+        self.units.tell_shorted(&mut reported, outputs);
+        reported
+    }
+
+    /// A millisecond of analogue inputs and drives.
+    fn devices(&mut self, memory: &mut [u8]) {
+        for (channel, volts) in &self.analog_inputs {
+            let at = devices::ANALOG_INPUT as usize + 8 * usize::from(*channel);
+            if let Some(cell) = memory.get_mut(at..at + 8) {
+                cell.copy_from_slice(&volts.to_le_bytes());
+            }
+        }
+        self.ethercat.exchange(&mut self.elements);
+        self.edrv.tick(memory);
+        self.drives.follow(memory);
+    }
+}
+
 impl Control for SimulatedControl {
     fn service(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
         match call.service() {
@@ -317,6 +375,7 @@ impl Control for SimulatedControl {
     fn inputs(&mut self, rate: Rate, millis: u64, memory: &mut [u8]) {
         if rate == Rate::Fast {
             self.motion.tick_ms(&mut Cells::new(memory));
+            self.devices(memory);
         }
         self.elements.serve(rate, true, memory);
         // The buses run in PLC time, which stands while the debugger holds the program.
@@ -330,6 +389,7 @@ impl Control for SimulatedControl {
             self.units.cycle();
             self.drives.inputs(memory);
             self.ethercat.cycle();
+            self.ethercat.requests(memory);
         }
     }
 
@@ -402,9 +462,11 @@ impl Control for SimulatedControl {
         self.can.start();
         self.drives.start(cold);
         self.ethercat.start(cold);
+        self.edrv.start(cold);
     }
 
     fn power_on(&mut self, memory: &mut [u8]) {
         backup::load(&self.data.backup, memory);
+        self.elements.wiring().mark_analog(memory);
     }
 }

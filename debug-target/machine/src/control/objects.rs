@@ -62,6 +62,15 @@ impl<K: Ord> Objects<K> {
         }
     }
 
+    /// From the device itself: as many bytes as the value has.
+    pub(super) fn update(&mut self, key: &K, value: &[u8]) {
+        if let Some(object) = self.all.get_mut(key)
+            && let Some(value) = value.get(..object.value.len())
+        {
+            object.value.copy_from_slice(value);
+        }
+    }
+
     /// All values as at power-on.
     pub(super) fn restore(&mut self) {
         for object in self.all.values_mut() {

@@ -44,7 +44,7 @@ enum Form {
 }
 
 impl Shared {
-    /// Its value in the memory of the program.
+    /// Its value in the memory of the program. An unsigned cell of 8 bytes above [`i64::MAX`] keeps its bits.
     #[must_use]
     pub fn value(&self, memory: &[u8]) -> Value {
         let start = self.addr as usize;

@@ -82,7 +82,9 @@ impl Tables {
             self.views.resize(tables.len(), View::default());
         }
         if self.longest > 0 {
-            tables.iter_mut().for_each(|table| table.reserve(self.longest));
+            for table in tables {
+                table.reserve(self.longest);
+            }
         }
     }
 
@@ -139,9 +141,7 @@ fn carry_out<'a>(
         Service::PlctColIndex => {
             number(table.columns.iter().position(|column| column.id == *bytes).ok_or(NO_COLUMN)?)
         }
-        Service::PlctColId => {
-            Found::Value(Content::Text(&table.columns.get(column).ok_or(NO_COLUMN)?.id))
-        }
+        Service::PlctColId => Found::Value(Content::Text(&table.columns.get(column).ok_or(NO_COLUMN)?.id)),
         Service::PlctColType => number(type_number(table.columns.get(column).ok_or(NO_COLUMN)?)),
         Service::PlctGetLinescount => number(table.rows.len()),
         Service::PlctGetSelline => {

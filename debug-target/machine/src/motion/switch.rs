@@ -6,7 +6,7 @@ use super::Motion;
 use super::config;
 use super::number::Thousandths;
 use crate::compile::Compiler;
-use crate::signal::{INPUT_PORTS, InputBit};
+use crate::signal::{InputBit, InputImage};
 
 /// One switch; µm in the machine's own coordinate.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ impl AxisSwitch {
         self.on = (self.from..=self.to).contains(&place) != self.invert;
     }
 
-    pub(crate) fn step(&self, inputs: &mut [u8; INPUT_PORTS]) {
+    pub(crate) fn step(&self, inputs: &mut InputImage) {
         self.input.set(inputs, self.on);
     }
 }

@@ -10,7 +10,8 @@ const MACHINE: &str = "[[axis]]\nnumber=1\nfeed-rapid=6000\n[[axis]]\nnumber=3\n
 
 /// Milliseconds for a way in mm at a speed in mm/s by a ramp in mm/s².
 fn expected(way: f64, speed: f64, ramp: f64) -> f64 {
-    let seconds = if way * ramp > speed * speed { way / speed + speed / ramp } else { 2.0 * (way / ramp).sqrt() };
+    let seconds =
+        if way * ramp > speed * speed { way / speed + speed / ramp } else { 2.0 * (way / ramp).sqrt() };
     seconds * 1000.0
 }
 
@@ -115,9 +116,8 @@ fn a_block_requests_its_axes_at_once_and_moves_when_it_is_released() {
     let mut bench = Bench::new(MACHINE);
     let block = BlockMove::at_feed(&[(1, 500.0), (3, -2000.0)], 600.0);
     bench.motion.begin_block(&mut technol_machine::Cells::new(&mut bench.memory), &block).unwrap();
-    let told = |bench: &mut Bench| {
-        (bench.cells().axes(place::REQUESTED), bench.cells().axes(place::NEGATIVE))
-    };
+    let told =
+        |bench: &mut Bench| (bench.cells().axes(place::REQUESTED), bench.cells().axes(place::NEGATIVE));
     assert_eq!(told(&mut bench), (0b101, 0b100), "before any tick");
     bench.run(200);
     assert_eq!((told(&mut bench), bench.position(3, 0)), ((0b101, 0b100), 0.0));

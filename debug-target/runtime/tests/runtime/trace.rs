@@ -1,5 +1,6 @@
 //! The register trace: what it shows is what stepping shows, and who is traced does not notice.
 
+#![allow(clippy::single_range_in_vec_init, reason = "one range of lines is meant")]
 use std::collections::BTreeMap;
 use std::ops::Range;
 

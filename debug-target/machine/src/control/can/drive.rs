@@ -3,9 +3,11 @@
 use alloc::collections::BTreeMap;
 
 use technol_image::op::Addr;
+use technol_image::system::devices;
 use technol_runtime::{Call, FaultKind};
 
 use super::super::objects::{Dictionary, abort};
+use super::super::state_machine::{State, StateMachine};
 use super::{CanPacket, NODE, number};
 
 /// Milliseconds until a drive has answered.
@@ -17,13 +19,19 @@ const REQUEST: u16 = 0x600;
 const ANSWER: u16 = 0x580;
 /// First byte of a refusal.
 const ABORT: u8 = 0x80;
+/// Bits of the command word: CAN_AX_EN and CAN_AX_BRK.
+const ENABLE: u8 = 1;
+const BRAKE: u8 = 2;
 
 /// A drive with its objects.
 #[derive(Clone, Debug, Default)]
 pub struct CanDrive {
     node: u8,
     silent: bool,
+    /// The cable to it is cut, or it has no power.
+    lost: bool,
     objects: Dictionary,
+    machine: StateMachine,
 }
 
 impl CanDrive {
@@ -46,6 +54,27 @@ impl CanDrive {
     #[must_use]
     pub fn object(&self, index: u16, subindex: u8) -> Option<&[u8]> {
         self.objects.get(&(index, subindex))
+    }
+
+    /// A millisecond: the command of the program in, the status word out. Braking cancels the release; a drive in error is
+    /// reset while it is not released.
+    fn follow(&mut self, command: u8) -> u16 {
+        if self.lost {
+            self.machine.power_on();
+            return 0;
+        }
+        let goal = match (command & BRAKE != 0, command & ENABLE != 0) {
+            (true, _) => State::SwitchOnDisabled,
+            (false, true) => State::Enabled,
+            (false, false) => State::SwitchedOn,
+        };
+        if command & ENABLE == 0 {
+            self.machine.reset();
+        }
+        self.machine.step(StateMachine::word_towards(self.machine.status(), goal));
+        let quick_stop_not_active = 0x20;
+        // Bit 4 tells of CAN drives that the voltage is not there.
+        self.machine.state() as u16 | quick_stop_not_active
     }
 
     /// Its answer to a request of up to four bytes of data.
@@ -120,7 +149,7 @@ impl Drives {
         call.write(request, &CanPacket::new(REQUEST | node, &data).to_bytes())?;
         call.write(busy, &[BUSY])?;
         let answer = drive
-            .filter(|drive| !drive.silent)
+            .filter(|drive| !drive.silent && !drive.lost)
             .map(|drive| CanPacket::new(ANSWER | node, &drive.answer(data)));
         // A packet that still waits is replaced.
         self.pending = Some(Pending { left: ANSWER_MILLIS, answer, packet, busy });
@@ -148,10 +177,40 @@ impl Drives {
         }
     }
 
+    /// A millisecond: commands and status words of all drives.
+    pub(in super::super) fn follow(&mut self, memory: &mut [u8]) {
+        for (axis, drive) in &mut self.all {
+            let place = 2 * (u32::from(*axis).wrapping_sub(1) & 15);
+            let command = memory.get((devices::CAN_COMMAND + place) as usize).copied().unwrap_or(0);
+            let status = drive.follow(command).to_le_bytes();
+            let at = (devices::CAN_STATUS + place) as usize;
+            if let Some(word) = memory.get_mut(at..at + 2) {
+                word.copy_from_slice(&status);
+            }
+        }
+    }
+
+    /// Nobody reaches these drives.
+    pub(in super::super) fn set_lost(&mut self, lost: impl Fn(u8) -> bool) {
+        for (axis, drive) in &mut self.all {
+            drive.lost = lost(*axis);
+        }
+    }
+
+    /// Why a drive is in error.
+    pub(in super::super) fn set_error(&mut self, error: impl Fn(u8) -> Option<u16>) {
+        for (axis, drive) in &mut self.all {
+            drive.machine.set_cause(error(*axis));
+        }
+    }
+
     pub(in super::super) fn start(&mut self, cold: bool) {
         self.pending = None;
         if cold {
-            self.all.values_mut().for_each(|drive| drive.objects.restore());
+            for drive in self.all.values_mut() {
+                drive.objects.restore();
+                drive.machine.power_on();
+            }
         }
     }
 }

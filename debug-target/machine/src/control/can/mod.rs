@@ -88,6 +88,8 @@ struct Channel {
     inactive: bool,
     /// Nobody acknowledges: packets stay in the transmit queue.
     blocked: bool,
+    /// The cable is cut: nothing is sent, and nothing arrives.
+    cut: bool,
     transmit: VecDeque<CanPacket>,
     receive: VecDeque<CanPacket>,
     sent: VecDeque<CanPacket>,
@@ -96,6 +98,7 @@ struct Channel {
 impl Default for Channel {
     fn default() -> Channel {
         Channel {
+            cut: false,
             inactive: false,
             blocked: false,
             transmit: VecDeque::with_capacity(CAN_QUEUE),
@@ -168,9 +171,18 @@ impl CanBus {
         }
     }
 
+    /// The cable of a channel is cut, or is there.
+    pub(super) fn set_cut(&mut self, cut: impl Fn(u8) -> bool) {
+        for (can, channel) in (1..).zip(&mut self.channels) {
+            channel.cut = cut(can);
+        }
+    }
+
     /// A packet arrives: for the procedures that asked for it, else for CAN_RECV. Without room it is lost.
     pub fn feed(&mut self, can: u8, packet: CanPacket) {
-        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive) else { return };
+        let Some(channel) = self.channel(can).filter(|channel| !channel.inactive && !channel.cut) else {
+            return;
+        };
         let room = channel.receive.len() < CAN_QUEUE;
         let wanted: Vec<u32> =
             self.receivers.iter().filter(|r| r.wants(can, packet)).map(|r| r.handle).collect();
@@ -198,7 +210,8 @@ impl CanBus {
 
     /// One millisecond.
     pub(super) fn tick(&mut self) {
-        for channel in self.channels.iter_mut().filter(|channel| !channel.blocked && !channel.inactive) {
+        let works = |channel: &&mut Channel| !channel.blocked && !channel.inactive && !channel.cut;
+        for channel in self.channels.iter_mut().filter(works) {
             for _ in 0..SENT_PER_MILLI {
                 let Some(packet) = channel.transmit.pop_front() else { break };
                 if channel.sent.len() == SENT {

@@ -8,6 +8,11 @@ use technol_runtime::{Call, FaultKind};
 
 use super::number;
 
+/// Group of the INOUT08 units.
+const INOUT08: u16 = 1;
+/// IO_DIS_ERPIS in CONTROL.
+const NO_REPORT: u32 = 2;
+
 /// Who fills a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum By {
@@ -17,7 +22,7 @@ enum By {
 use By::{Control, Program};
 
 /// Members of the structure INOUTS.
-const MEMBERS: [(&str, Width, By); 43] = [
+const MEMBERS: [(&str, Width, By); 45] = [
     ("SIZE", Word, Control),
     ("PRESENT", Byte, Control),
     ("MODE", Byte, Program),
@@ -55,6 +60,8 @@ const MEMBERS: [(&str, Width, By); 43] = [
     ("TPDO_COUNT", Word, Control),
     ("PXIN", Word, Control),
     ("PXOUT", Word, Control),
+    ("IRC0", Word, Control),
+    ("IRC1", Word, Control),
     ("MODE_ACT", Byte, Control),
     ("MODE_FAZE", Byte, Control),
     ("TL0", Byte, Control),
@@ -78,11 +85,13 @@ pub struct CanUnit {
     seen: [u32; MEMBERS.len()],
     /// What the unit says.
     said: [u32; MEMBERS.len()],
+    /// The cable is cut.
+    lost: bool,
 }
 
 impl Default for CanUnit {
     fn default() -> CanUnit {
-        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()] };
+        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false };
         unit.set("PRESENT", 1);
         unit.seen = unit.said;
         unit
@@ -108,6 +117,13 @@ impl CanUnit {
 
     /// A cycle begins: the unit follows its mode, and what it says is the truth again.
     fn cycle(&mut self) {
+        if self.lost {
+            // What it said last stays.
+            if let Some(n) = member("PRESENT") {
+                self.seen[n] = 0;
+            }
+            return;
+        }
         let mode = self.get("MODE").unwrap_or(0);
         self.set("MODE_ACT", mode);
         for (n, (.., by)) in MEMBERS.iter().enumerate() {
@@ -132,6 +148,31 @@ impl Units {
     /// A cycle of 20 ms begins.
     pub(in super::super) fn cycle(&mut self) {
         self.all.values_mut().for_each(CanUnit::cycle);
+    }
+
+    /// The cable of a channel is cut, or is there.
+    pub(in super::super) fn set_cut(&mut self, cut: impl Fn(u8) -> bool) {
+        for ((can, ..), unit) in &mut self.all {
+            unit.lost = cut(*can as u8);
+        }
+    }
+
+    /// Outputs with a short circuit, as bytes of P0OUT …: each INOUT08 tells in SHORT_OUT0 … those that are on. Those of a unit
+    /// with IO_DIS_ERPIS are taken out: the program is not told of them.
+    pub(in super::super) fn tell_shorted(&mut self, shorted: &mut [u8], outputs: &[u8]) {
+        for ((_, group, board), unit) in &mut self.all {
+            let first = 3 * usize::from(board.wrapping_sub(1));
+            let (INOUT08, Some(ports)) = (*group, shorted.get_mut(first..first + 3)) else { continue };
+            let driven = outputs.get(first..first + 3).unwrap_or_default();
+            for ((name, port), driven) in
+                ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().zip(&*ports).zip(driven)
+            {
+                unit.set(name, u32::from(port & driven));
+            }
+            if unit.get("CONTROL").is_some_and(|control| control & NO_REPORT != 0) {
+                ports.fill(0);
+            }
+        }
     }
 
     /// CAN_SYSIO_READ and CAN_SYSIO_WRITE.

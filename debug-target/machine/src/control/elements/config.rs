@@ -102,7 +102,10 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
         unique(compiler, "id", &input.id, &mut known);
         match (&input.port, &input.value) {
             (Some(port), None) => {
-                compiler.input("port", port);
+                if compiler.input("port", port).is_some() && port.parse::<Signal>().is_err() {
+                    compiler
+                        .error("port", format!("`{port}` is no port; join it to the input by `[[link]]`"));
+                }
             }
             (None, Some(Value::Text(text))) if !text.is_ascii() => {
                 compiler.error("value", "a text must be ASCII");
@@ -116,7 +119,10 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
     for (n, output) in config.output.iter().enumerate() {
         compiler.enter("output", Some(n));
         unique(compiler, "id", &output.id, &mut known);
-        compiler.output("port", &output.port);
+        if compiler.output("port", &output.port).is_some() && output.port.parse::<Signal>().is_err() {
+            compiler
+                .error("port", format!("`{}` is no port; join the output to it by `[[link]]`", output.port));
+        }
     }
     known.clear();
     for (n, link) in config.link.iter().enumerate() {

@@ -11,17 +11,23 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use technol_image::service::Service;
-use technol_image::system;
 use technol_runtime::{Call, FaultKind, Rate};
 
 use crate::signal::Signal;
 
+mod cell;
 pub(crate) mod config;
+mod link;
+mod mapping;
 mod name;
 mod point;
 mod value;
 
+use link::Link;
+pub use mapping::{Analog, ChannelWiring, Connection, Mapping, Physical};
+pub(crate) use name::normal as identifier;
 use point::{Group, Point};
+pub(super) use value::CellType;
 pub use value::ElementValue;
 
 /// Elements of each direction; more than any configuration has.
@@ -100,9 +106,13 @@ struct Wire {
 struct Element {
     /// An input: what was set or linked. An output: what left the program.
     value: Option<ElementValue>,
+    /// An input: single bits that were linked to it, over the value; which, and what they are.
+    bits: (u64, u64),
     wire: Option<Wire>,
     /// An output: it was served just now.
     served: bool,
+    /// An output of a bus: it may change at any time.
+    live: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -127,13 +137,6 @@ impl Table {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Link {
-    source: usize,
-    destination: usize,
-    conversion: Conversion,
-}
-
 /// All elements, and the cells of the program that are bound to them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Elements {
@@ -141,6 +144,7 @@ pub(super) struct Elements {
     outputs: Table,
     links: Vec<Link>,
     points: Vec<Point>,
+    wiring: ChannelWiring,
 }
 
 impl Elements {
@@ -160,36 +164,18 @@ impl Elements {
 
     pub(super) fn wire(&mut self, id: &str, to: Signal, invert: bool) -> Result<(), ElementError> {
         let name = name::normal(id.as_bytes())?;
-        let (table, first, port, bit) = match to {
-            Signal::Input { port, bit } => (&mut self.inputs, system::IN_PORTS, port, bit),
-            Signal::Output { port, bit } => (&mut self.outputs, system::OUT_PORTS, port, bit),
+        let table = match to {
+            Signal::Input { .. } => &mut self.inputs,
+            Signal::Output { .. } => &mut self.outputs,
         };
         let number = table.number(&name)?;
-        let addr = first as usize + usize::from(port);
-        table.elements[number].wire = Some(Wire { addr, mask: 1 << bit, invert });
-        Ok(())
-    }
-
-    pub(super) fn connect(
-        &mut self,
-        source: &str,
-        destination: &str,
-        conversion: Conversion,
-    ) -> Result<(), ElementError> {
-        if self.links.len() >= MAX_LINKS {
-            return Err(ElementError::TooMany);
-        }
-        let source = self.outputs.number(&name::normal(source.as_bytes())?)?;
-        let destination = self.inputs.number(&name::normal(destination.as_bytes())?)?;
-        // An input has one source.
-        self.links.retain(|link| link.destination != destination);
-        self.links.push(Link { source, destination, conversion });
+        table.elements[number].wire = Some(Wire::to(to, invert));
         Ok(())
     }
 
     /// The PLC starts: nothing is declared, no output has a value. The world around stays.
     pub(super) fn start(&mut self) {
-        self.points.clear();
+        self.points.retain(|point| point.fixed);
         for output in &mut self.outputs.elements {
             output.value = None;
         }
@@ -210,12 +196,18 @@ impl Elements {
             Some(Ok(name)) => self.bind(&mut point, &name).is_ok(),
             _ => false,
         };
+        let bit = point.is_mapped_bit();
+        let mapping = call.text(1)?.and_then(|id| self.wiring.find(id, group, output, bit));
+        match mapping {
+            Some(mapping) if mapping.connected => point.physical = Some(mapping.physical),
+            Some(mapping) => point.kind.write(&mut cells, &mapping.default.into()),
+            None => {}
+        }
         if bound && !point.output && point.rate.is_some() {
             for (cell, number) in cells.chunks_exact_mut(point.size).zip(&point.elements) {
                 let element = &self.inputs.elements[*number];
-                let port =
-                    element.wire.and_then(|wire| call.bytes(wire.addr as u32, 1).ok()?.first().copied());
-                put(element, &point, cell, port);
+                let physical = physical(element, point.physical, call.memory_mut());
+                put(element, point.kind, cell, physical.as_ref());
             }
         }
         call.write(point.addr as u32, &cells)?;
@@ -238,25 +230,22 @@ impl Elements {
     pub(super) fn update(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
         let Some((addr, len)) = call.area(0)? else { return Ok(()) };
         let (addr, end) = (addr as usize, addr as usize + len as usize);
-        let Elements { inputs, outputs, links, points } = self;
-        for point in points.iter().filter(|point| !point.output) {
+        let Elements { inputs, outputs, links, points, .. } = self;
+        for point in points.iter().filter(|point| !point.output && !point.fixed) {
             for (n, number) in point.elements.iter().enumerate() {
                 let at = point.addr + n * point.size;
                 if at < addr || at + point.size > end {
                     continue;
                 }
-                if let Some(link) = links.iter().find(|link| link.destination == *number) {
+                for link in links.iter().filter(|link| link.destination == *number) {
                     pull(call, points, link.source, &mut outputs.elements)?;
-                    follow(link, &outputs.elements, &mut inputs.elements);
+                    link.follow(&outputs.elements, &mut inputs.elements);
                 }
                 let element = &inputs.elements[*number];
-                let port = match element.wire {
-                    Some(wire) => call.bytes(wire.addr as u32, 1)?.first().copied(),
-                    None => None,
-                };
+                let physical = physical(element, point.physical, call.memory_mut());
                 call.bytes(at as u32, point.size as u32)?;
                 if let Some(cell) = call.memory_mut().get_mut(at..at + point.size) {
-                    put(element, point, cell, port);
+                    put(element, point.kind, cell, physical.as_ref());
                 }
             }
         }
@@ -268,8 +257,11 @@ impl Elements {
     pub(super) fn serve(&mut self, rate: Rate, before: bool, memory: &mut [u8]) {
         self.send(rate, before, memory);
         let Elements { inputs, outputs, links, .. } = self;
-        for link in links.iter().filter(|link| outputs.elements[link.source].served) {
-            follow(link, &outputs.elements, &mut inputs.elements);
+        for link in links.iter() {
+            let source = &outputs.elements[link.source];
+            if source.served || source.live {
+                link.follow(&outputs.elements, &mut inputs.elements);
+            }
         }
         self.fetch(rate, before, memory);
     }
@@ -301,11 +293,33 @@ impl Elements {
             }
         }
         for element in elements.iter().filter(|element| element.served) {
-            let (Some(wire), Some(value)) = (element.wire, &element.value) else { continue };
-            if let Some(port) = memory.get_mut(wire.addr) {
-                let on = value.is_on() != wire.invert;
-                *port = if on { *port | wire.mask } else { *port & !wire.mask };
+            if let (Some(wire), Some(value)) = (element.wire, &element.value) {
+                wire.write(value.is_on(), memory);
             }
+        }
+        self.send_to_channel(rate, before, memory);
+    }
+
+    /// Outputs that the configuration of the channel leads to ports and analogue outputs. The machine's wiring of an
+    /// identifier replaces that.
+    fn send_to_channel(&self, rate: Rate, before: bool, memory: &mut [u8]) {
+        let elements = &self.outputs.elements;
+        let wired = |point: &Point| point.elements.iter().any(|number| elements[*number].wire.is_some());
+        let mine = |point: &&Point| point.output && point.physical.is_some() && !wired(point);
+        for point in self.points.iter().filter(|point| point.is_due(rate, before)).filter(mine) {
+            let Some(physical) = point.physical else { continue };
+            let Some(wire) = physical.wire() else {
+                if let Some(value) = point.elements.first().and_then(|n| elements[*n].value.as_ref()) {
+                    physical.write_volts(value, memory);
+                }
+                continue;
+            };
+            // A bit with several outputs is on when any of them is.
+            let same = |other: &&Point| {
+                other.physical.and_then(|it| it.wire()).is_some_and(|it| it.is_same_bit(&wire))
+            };
+            let on = self.points.iter().filter(mine).filter(same).any(|point| point.on);
+            wire.write(on, memory);
         }
     }
 
@@ -313,28 +327,36 @@ impl Elements {
         for point in self.points.iter().filter(|point| !point.output && point.is_due(rate, before)) {
             for (n, number) in point.elements.iter().enumerate() {
                 let element = &self.inputs.elements[*number];
-                let port = element.wire.and_then(|wire| memory.get(wire.addr).copied());
+                let physical = physical(element, point.physical, memory);
                 let at = point.addr + n * point.size;
                 if let Some(cell) = memory.get_mut(at..at + point.size) {
-                    put(element, point, cell, port);
+                    put(element, point.kind, cell, physical.as_ref());
                 }
             }
         }
     }
 }
 
-/// The value of an input into its cell; without a source the cell stays.
-fn put(element: &Element, point: &Point, cell: &mut [u8], port: Option<u8>) {
-    if let Some(value) = &element.value {
-        point.kind.write(cell, value);
-    } else if let (Some(wire), Some(port)) = (element.wire, port) {
-        point.kind.write(cell, &((port & wire.mask != 0) != wire.invert).into());
+/// The value of an input at its physical end, unless a value was set or linked.
+fn physical(element: &Element, mapped: Option<Physical>, memory: &[u8]) -> Option<ElementValue> {
+    match (&element.value, element.wire, mapped) {
+        (Some(_), ..) => None,
+        (None, Some(wire), _) => wire.read(memory),
+        (None, None, mapped) => mapped?.read(memory),
     }
 }
 
-fn follow(link: &Link, outputs: &[Element], inputs: &mut [Element]) {
-    if let Some(value) = &outputs[link.source].value {
-        inputs[link.destination].value = Some(link.conversion.apply(value));
+/// The value of an input into its cell; without a source the cell stays.
+fn put(element: &Element, kind: CellType, cell: &mut [u8], physical: Option<&ElementValue>) {
+    if let Some(value) = element.value.as_ref().or(physical) {
+        kind.write(cell, value);
+    }
+    let (mask, bits) = element.bits;
+    if mask != 0
+        && let CellType::Int { .. } = kind
+        && let Some(ElementValue::Int(now)) = kind.read(cell)
+    {
+        kind.write(cell, &ElementValue::Int(now & !i128::from(mask) | i128::from(bits)));
     }
 }
 

@@ -7,7 +7,7 @@ use super::{ElementError, MAX_NAME};
 
 /// An identifier in the one spelling that is compared: small letters, without the groups `CNC.`, `PLC.Input.` and
 /// `PLC.Output.`, indexes without leading zeros, `[0]` left out.
-pub(super) fn normal(text: &[u8]) -> Result<String, ElementError> {
+pub(crate) fn normal(text: &[u8]) -> Result<String, ElementError> {
     let text = text.trim_ascii();
     if text.is_empty() || text.len() > MAX_NAME || !text.iter().all(|byte| matches!(byte, b' '..=b'~')) {
         return Err(ElementError::BadName);

@@ -7,6 +7,7 @@ use technol_image::service::Arg;
 use technol_runtime::{Call, FaultKind, Rate};
 
 use super::MAX_ELEMENTS;
+use super::mapping::Physical;
 use super::value::{CellType, ElementValue};
 
 /// Which instructions declare it.
@@ -37,6 +38,10 @@ pub(super) struct Point {
     pub(super) elements: Vec<usize>,
     /// A bit of MAP_OUT: what it was when it was served last.
     pub(super) on: bool,
+    /// Where the configuration leads it.
+    pub(super) physical: Option<Physical>,
+    /// A cell of the control itself, which no call declared; it is served whenever anything is.
+    pub(super) fixed: bool,
 }
 
 impl Point {
@@ -84,8 +89,29 @@ impl Point {
             rate,
             elements: Vec::new(),
             on: false,
+            physical: None,
+            fixed: false,
         };
         Ok(Some((point, cells)))
+    }
+
+    /// A cell of the control itself, bound to an element.
+    pub(super) fn fixed(addr: usize, kind: CellType, output: bool, element: usize) -> Point {
+        let size = kind.size(0);
+        Point {
+            call: u16::MAX,
+            group: Group::Logical,
+            output,
+            kind,
+            addr,
+            size,
+            len: size,
+            rate: Some(Rate::Fast),
+            elements: alloc::vec![element],
+            on: false,
+            physical: None,
+            fixed: true,
+        }
     }
 
     /// How many elements it has.
@@ -100,7 +126,7 @@ impl Point {
 
     /// It is served at this rate, `before` the modules or after them.
     pub(super) fn is_due(&self, rate: Rate, before: bool) -> bool {
-        self.rate == Some(rate) && (self.group == Group::Logical || before != self.output)
+        self.fixed || self.rate == Some(rate) && (self.group == Group::Logical || before != self.output)
     }
 }
 

@@ -67,7 +67,7 @@ impl From<&[u8]> for ElementValue {
 
 /// Type of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CellType {
+pub(in crate::control) enum CellType {
     /// This bit of its byte.
     Bit(u8),
     Int {
@@ -83,7 +83,7 @@ pub(super) enum CellType {
 
 impl CellType {
     /// The type that a keyword names; `bit` is the position if it is a bit.
-    pub(super) fn of(keyword: &str, bit: u8) -> Option<CellType> {
+    pub(in crate::control) fn of(keyword: &str, bit: u8) -> Option<CellType> {
         let name = keyword.strip_prefix("TYPE_")?;
         let int = |bytes, signed| CellType::Int { bytes, signed };
         Some(match name {
@@ -104,7 +104,7 @@ impl CellType {
     }
 
     /// Bytes of one element in a variable of `len` bytes: texts and blocks are one element.
-    pub(super) fn size(self, len: usize) -> usize {
+    pub(in crate::control) fn size(self, len: usize) -> usize {
         match self {
             CellType::Bit(_) => 1,
             CellType::Int { bytes, .. } => bytes,
@@ -114,7 +114,7 @@ impl CellType {
     }
 
     /// The value in a cell; `None` when the bytes are not as many as the type has.
-    pub(super) fn read(self, cell: &[u8]) -> Option<ElementValue> {
+    pub(in crate::control) fn read(self, cell: &[u8]) -> Option<ElementValue> {
         Some(match self {
             CellType::Bit(bit) => (cell.first()? >> bit & 1 != 0).into(),
             CellType::Int { bytes, signed } => {
@@ -136,7 +136,7 @@ impl CellType {
     /// Writes a value, converted: an integer into a real and back (to the nearest, ties to even, held within the
     /// range of the cell), the low bits of an integer into a shorter cell, any number but 0 into a bit. Between numbers
     /// and texts nothing is converted: the cell stays.
-    pub(super) fn write(self, cell: &mut [u8], value: &ElementValue) {
+    pub(in crate::control) fn write(self, cell: &mut [u8], value: &ElementValue) {
         match self {
             CellType::Bit(bit) => {
                 if let (Some(byte), false) = (cell.first_mut(), matches!(value, ElementValue::Bytes(_))) {

@@ -5,6 +5,9 @@ use alloc::vec::Vec;
 
 use technol_runtime::{Call, FaultKind};
 
+pub(crate) mod layout;
+mod process;
+mod requests;
 mod slave;
 mod transfer;
 
@@ -28,6 +31,12 @@ pub struct EtherCat {
     answer_cycles: u32,
     /// By the number of their call, ascending. A place stays when its transfer ends, so that the next needs no memory.
     transfers: Vec<(u16, Transfer)>,
+    /// The program starts the exchange; it has done so.
+    start_by_program: bool,
+    started: bool,
+    /// Requests of states that were taken up.
+    asked: [bool; 5],
+    image: process::Image,
 }
 
 impl Default for EtherCat {
@@ -38,6 +47,10 @@ impl Default for EtherCat {
             slaves: Vec::new(),
             answer_cycles: 2,
             transfers: Vec::new(),
+            start_by_program: false,
+            started: false,
+            asked: [false; 5],
+            image: process::Image::default(),
         }
     }
 }
@@ -75,16 +88,39 @@ impl EtherCat {
     /// A start of the PLC: its transfers are forgotten.
     pub(super) fn start(&mut self, cold: bool) {
         self.transfers.iter_mut().for_each(|(_, transfer)| transfer.under_way = false);
+        self.asked = [false; 5];
         if cold {
-            (self.state, self.goal) = (EcatState::Operational, EcatState::Operational);
-            self.slaves.iter_mut().for_each(EcatSlave::power_on);
+            self.power_on();
+        }
+    }
+
+    fn power_on(&mut self) {
+        self.started = false;
+        let state = if self.start_by_program { EcatState::Init } else { EcatState::Operational };
+        (self.state, self.goal) = (state, state);
+        self.slaves.iter_mut().for_each(|slave| slave.power_on(state));
+    }
+
+    /// Nobody reaches these slaves; they lose their connection and stop exchanging outputs.
+    pub(super) fn set_lost(&mut self, lost: impl Fn(u16) -> bool) {
+        for (place, slave) in (0..).zip(&mut self.slaves) {
+            slave.set_lost(lost(place));
+        }
+    }
+
+    /// Why the drive of a slave is in error.
+    pub(super) fn set_error(&mut self, error: impl Fn(u16) -> Option<u16>) {
+        for (place, slave) in (0..).zip(&mut self.slaves) {
+            if let Some(drive) = &mut slave.drive {
+                drive.machine.set_cause(error(place));
+            }
         }
     }
 
     /// A cycle of 20 ms begins.
     pub(super) fn cycle(&mut self) {
         self.state = self.state.toward(self.goal);
-        for slave in self.slaves.iter_mut().filter(|slave| !slave.silent) {
+        for slave in self.slaves.iter_mut().filter(|slave| slave.is_reached()) {
             slave.state = slave.state.toward(slave.goal);
         }
         let mut transfers = core::mem::take(&mut self.transfers);
@@ -117,13 +153,13 @@ impl EtherCat {
     }
 
     fn answers(&self, slave: u16) -> bool {
-        self.slaves.get(usize::from(slave)).is_some_and(|slave| !slave.silent)
+        self.slaves.get(usize::from(slave)).is_some_and(EcatSlave::is_reached)
     }
 
     fn are_in(&self, slave: Option<u16>, goal: EcatState) -> bool {
         match slave {
-            Some(slave) => self.slaves.get(usize::from(slave)).is_some_and(|slave| slave.state == goal),
-            None => self.state == goal && self.slaves.iter().all(|slave| slave.state == goal),
+            Some(slave) => self.slaves.get(usize::from(slave)).is_some_and(|slave| slave.is_in(goal)),
+            None => self.state == goal && self.slaves.iter().all(|slave| slave.is_in(goal)),
         }
     }
 
@@ -145,6 +181,7 @@ impl EtherCat {
         let data = &transfer.data;
         match order {
             Order::ReadObject { index, subindex, .. } => {
+                slave.refresh(index, subindex);
                 slave.objects.upload(index, subindex).map(|bytes| transfer.put(bytes))
             }
             Order::WriteObject { index, subindex, .. } => {

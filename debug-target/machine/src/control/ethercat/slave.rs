@@ -1,5 +1,7 @@
 //! Slaves of the EtherCAT master: their states, objects and registers.
 
+use super::layout::object;
+use super::process::Drive;
 use crate::control::objects::{Dictionary, Objects, Refused};
 
 /// Element of a register that is its value.
@@ -67,6 +69,9 @@ pub struct EcatSlave {
     pub(super) state: EcatState,
     pub(super) goal: EcatState,
     pub(super) silent: bool,
+    /// The cable to it is cut, or it has no power.
+    lost: bool,
+    pub(super) drive: Option<Drive>,
     pub(super) objects: Dictionary,
     /// By drive, number of the register and element.
     registers: Objects<(u8, u16, u8)>,
@@ -82,6 +87,40 @@ impl EcatSlave {
     /// It does not answer (true).
     pub fn set_silent(&mut self, silent: bool) {
         self.silent = silent;
+    }
+
+    /// It answers, and the cable is there.
+    pub(super) fn is_reached(&self) -> bool {
+        !self.silent && !self.lost
+    }
+
+    /// It is reached, and in this state.
+    pub(super) fn is_in(&self, state: EcatState) -> bool {
+        self.state == state && !self.lost
+    }
+
+    /// Without connection it falls back to SAFE-OPERATIONAL; the master leads it up again.
+    pub(super) fn set_lost(&mut self, lost: bool) {
+        self.lost = lost;
+        if lost && self.state == EcatState::Operational {
+            self.state = EcatState::SafeOperational;
+        }
+    }
+
+    /// The object of a drive has its present value.
+    pub(super) fn refresh(&mut self, index: u16, subindex: u8) {
+        let own = self.drive.as_ref().and_then(|drive| drive.give(index));
+        if let (Some(own), 0) = (own, subindex) {
+            self.objects.update(&(index, 0), &own);
+        }
+    }
+
+    /// It is a drive, which has its words as objects too.
+    pub(super) fn make_drive(&mut self) {
+        self.drive = Some(Drive::default());
+        for (index, len) in [(object::STATUS, 2), (object::ERROR, 2), (object::POSITION, 4)] {
+            self.objects.set((index, 0), &[0; 4][..len], true);
+        }
     }
 
     /// Adds a CANopen object as it is at power-on.
@@ -135,8 +174,11 @@ impl EcatSlave {
     }
 
     /// Power-on: everything as it was configured.
-    pub(super) fn power_on(&mut self) {
-        (self.state, self.goal) = (EcatState::Operational, EcatState::Operational);
+    pub(super) fn power_on(&mut self, state: EcatState) {
+        (self.state, self.goal) = (state, state);
+        if let Some(drive) = &mut self.drive {
+            drive.machine.power_on();
+        }
         self.objects.restore();
         self.registers.restore();
     }

@@ -63,8 +63,8 @@ pub(super) enum Order {
 
 impl Order {
     /// The slave it is about.
-    pub(super) fn slave(&self) -> Option<u16> {
-        match *self {
+    pub(super) fn slave(self) -> Option<u16> {
+        match self {
             Order::ReadObject { slave, .. }
             | Order::WriteObject { slave, .. }
             | Order::ReadRegister { slave, .. }
