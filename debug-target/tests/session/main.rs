@@ -8,6 +8,7 @@ mod places;
 mod program;
 
 use std::net::TcpListener;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use host::Host;
@@ -16,7 +17,10 @@ use program::{ADD, COUNT, DATA, DIVIDE, DIVISOR, FEEDBACK, LOAD, MOTOR, SHOW, ST
 use technol_image::container::content_hash;
 use technol_image::op::Op;
 use technol_machine::MachineConfig;
-use technol_target::{Address, Clock, ConnectError, TargetOptions, connect};
+use technol_target::{
+    Address, Clock, ConnectError, Connector, ListenError, Notice, TargetCore, TargetOptions, Token, connect,
+    listen_tcp,
+};
 use technol_wire::Sample;
 use technol_wire::message::{
     BreakpointState, Event, Failure, FaultKind, Item, ItemKind, Mode, PlcState, Registers, Request, Response,
@@ -434,4 +438,42 @@ fn a_target_that_is_not_there_is_an_error_with_a_remedy() {
     let error = connect(&"tcp:no-such-host.invalid:1".parse().unwrap()).err().unwrap();
     assert!(matches!(error, ConnectError::UnknownHost { .. }), "{error:?}");
     assert!(matches!(connect(&Address::Embedded), Err(ConnectError::Embedded)));
+}
+
+#[test]
+fn a_target_that_others_can_reach_needs_a_token() {
+    let mut core = TargetCore::new(TargetOptions::default()).unwrap();
+    let ended = AtomicBool::new(true);
+    let mut told = Vec::new();
+    let mut listen = |token: Option<&Token>| {
+        let mut tell = |notice: Notice| told.push(notice.to_string());
+        listen_tcp("0.0.0.0", 0, token, &mut |link| link, &mut core, &ended, &mut tell)
+    };
+    let error = listen(None).unwrap_err();
+    assert!(matches!(error, ListenError::TokenNeeded { .. }));
+    assert!(error.to_string().contains("give a token (`--token-file FILE`"), "{error}");
+    listen(Some(&Token::new("a long secret token").unwrap())).unwrap();
+    assert!(told[0].starts_with("warning: other computers can reach this target"), "{told:?}");
+}
+
+#[test]
+fn only_who_knows_the_token_is_served() {
+    let token = Token::new("a long secret token").unwrap();
+    let mut place = Tcp::guarded(options(Clock::Real), Some(token.clone()));
+    let address = place.address.clone();
+
+    // Without one: the host says why it gets nowhere.
+    let mut link = place.link().unwrap();
+    let mut host = technol_wire::HostSession::new(1);
+    let mut buffer = [0; 1000];
+    let count = link.receive(&mut buffer, Duration::from_secs(5)).unwrap();
+    host.receive(0, &buffer[..count]);
+    let lost = technol_wire::HostEvent::LinkLost(technol_wire::LossReason::TokenNeeded);
+    assert_eq!(host.next(), Some(lost));
+
+    let other = Token::new("another secret token").unwrap();
+    let error = Connector::new(address.clone(), Some(other)).connect().err().unwrap();
+    assert!(error.to_string().contains("it has another token"), "{error}");
+    let link = Connector::new(address, Some(token)).connect().unwrap();
+    Host::new(link, 2).hello();
 }

@@ -7,7 +7,8 @@ use std::sync::mpsc;
 use std::thread::{self, JoinHandle};
 
 use technol_target::{
-    Address, Link, Notice, TargetCore, TargetHandle, TargetOptions, connect, serve_listener, spawn_embedded,
+    Address, Link, Notice, TargetCore, TargetHandle, TargetOptions, Token, connect, serve_listener,
+    spawn_embedded,
 };
 
 /// A target that is running somewhere.
@@ -63,6 +64,11 @@ pub(crate) struct Tcp {
 
 impl Tcp {
     pub(crate) fn new(options: TargetOptions) -> Tcp {
+        Tcp::guarded(options, None)
+    }
+
+    /// One that asks for a token.
+    pub(crate) fn guarded(options: TargetOptions, token: Option<Token>) -> Tcp {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let (tell, told) = mpsc::channel();
         let target = Running::spawn(move |shutdown| {
@@ -72,7 +78,7 @@ impl Tcp {
                     tell.send(address).unwrap();
                 }
             };
-            serve_listener(&listener, None, &mut |link| link, &mut core, shutdown, &mut notice).unwrap();
+            serve_listener(&listener, token.as_ref(), &mut |link| link, &mut core, shutdown, &mut notice).unwrap();
         });
         Tcp { address: told.recv().unwrap(), _target: target }
     }

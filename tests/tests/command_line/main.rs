@@ -16,6 +16,7 @@ mod fmt;
 mod kept;
 mod messages;
 mod ran;
+mod remote;
 mod run;
 mod target;
 mod test;

@@ -145,11 +145,7 @@ SEQUENCE = fields(sequence=UINT, active=FLAG, resume=UINT, line=UINT, since=UINT
 BREAKPOINT = words("Set NotAStatement InFast InCont TooMany")
 RESUME = variants(
     ("Continue", None), ("Into", None), ("Over", fields(sequence=optional(UINT))), ("Out", None))
-FILE_ITEM_KIND = variants(("Bit", U8), ("Unsigned", U8), ("Signed", U8), ("Real", None))
-ITEM = fields(addr=UINT, kind=ITEM_KIND, mode=words("Value OnChange Extremes Edges"))
-SUBJECT = variants(
-    ("Variables", many(ITEM)), ("Mechanisms", many(UINT)), ("Trace", fields(pcs=many(UINT), wide=FLAG)))
-REQUEST = variants(
+FILE_REQUEST = variants(
     ("List", fields(path=TEXT, **{"from": UINT})),
     ("Read", fields(path=TEXT, offset=UINT, len=UINT)),
     ("Sum", fields(path=TEXT)),
@@ -165,6 +161,10 @@ FILE_ANSWER = variants(
     ("Bytes", fields(bytes=OCTETS, size=UINT)),
     ("Sum", fields(size=UINT, hash=HASH)),
 )
+ITEM_KIND = variants(("Bit", U8), ("Unsigned", U8), ("Signed", U8), ("Real", None))
+ITEM = fields(addr=UINT, kind=ITEM_KIND, mode=words("Value OnChange Extremes Edges"))
+SUBJECT = variants(
+    ("Variables", many(ITEM)), ("Mechanisms", many(UINT)), ("Trace", fields(pcs=many(UINT), wide=FLAG)))
 REQUEST = variants(
     ("Hello", fields(version=UINT, session=UINT)),
     ("Status", None),
