@@ -272,8 +272,7 @@ impl Streams {
     /// The host says which streams it listens to (payload of a [`kind::LISTENING`] frame).
     pub(crate) fn listened(&mut self, payload: &[u8]) {
         for entry in payload.chunks_exact(5) {
-            let Some(stream) = self.places.get_mut(usize::from(entry[0] & 7)).and_then(Option::as_mut)
-            else {
+            let Some(stream) = self.places.get_mut(usize::from(entry[0] & 7)).and_then(Option::as_mut) else {
                 continue;
             };
             stream.heard = self.now;

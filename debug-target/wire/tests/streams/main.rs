@@ -4,6 +4,7 @@
 mod bars;
 mod memory;
 mod truth;
+mod vectors;
 mod world;
 
 use technol_wire::message::{Item, ItemKind, Mode, Subject, Subscription};

@@ -153,6 +153,8 @@ pub(crate) struct World {
     pub(crate) history: BTreeMap<u32, (u32, Plant)>,
     pub(crate) samples: Vec<(u64, Sample)>,
     pub(crate) stale: Vec<(u64, u8)>,
+    /// Frames of streams that came through, with their delimiters.
+    pub(crate) heard: Vec<Vec<u8>>,
     pub(crate) responses: Vec<(u64, Ticket, Response)>,
     pub(crate) events: Vec<(u64, HostEvent)>,
     next_cycle: u64,
@@ -174,6 +176,7 @@ impl World {
             history: BTreeMap::new(),
             samples: Vec::new(),
             stale: Vec::new(),
+            heard: Vec::new(),
             responses: Vec::new(),
             events: Vec::new(),
             next_cycle: CYCLE,
@@ -212,7 +215,9 @@ impl World {
         let until = self.now + time;
         while self.now < until {
             let bytes = self.to_host.arrived(self.now);
-            self.host.receive(self.now, &bytes);
+            for frame in bytes.split_inclusive(|b| *b == 0) {
+                self.hear(frame);
+            }
             self.host.poll(self.now);
             self.take();
             let bytes = self.host.transmit();
@@ -238,6 +243,14 @@ impl World {
             }
             self.now += 500;
         }
+    }
+
+    fn hear(&mut self, frame: &[u8]) {
+        self.host.receive(self.now, frame);
+        if frame.len() > 2 && frame[1] == kind::STREAM {
+            self.heard.push(frame.to_vec());
+        }
+        self.take();
     }
 
     fn take(&mut self) {
