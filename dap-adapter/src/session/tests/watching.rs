@@ -171,3 +171,21 @@ fn watches_outlive_a_restart() {
     set_count(&setup, 8);
     told(&mut setup, mark, 0, "8 (0008h)");
 }
+
+#[test]
+fn values_are_marked_while_the_link_is_lost_and_come_again_with_it() {
+    let mut setup = Setup::new();
+    let mut arguments = setup.launch_arguments();
+    arguments["target"] = json!("tcp:127.0.0.1:5700");
+    setup.client.start(arguments, &[]).unwrap();
+    let watches = json!({ "period": 20, "watches": [{ "expression": "COUNT" }] });
+    setup.client.request("technol/subscribe", watches).unwrap();
+    told(&mut setup, Mark::START, 0, "300 (012Ch)");
+    let mark = setup.client.mark();
+    setup.mock.state().cut = true;
+    told(&mut setup, mark, 0, "300 (012Ch) ?");
+    let mark = setup.client.mark();
+    set_count(&setup, 4);
+    setup.mock.state().cut = false;
+    told(&mut setup, mark, 0, "4 (0004h)");
+}

@@ -144,6 +144,7 @@ impl Watching {
             self.live.stale(subscription.id);
         }
         self.untold = true;
+        self.news.trace = true;
     }
 
     /// The target is there again, and has forgotten its streams: they are asked for again.
@@ -267,7 +268,11 @@ impl Session {
 
     /// Takes what the streams told, keeps the subscriptions up to date, and tells the client.
     pub(super) fn watch(&mut self) {
-        let Some(target) = &mut self.target else { return };
+        let Some(target) = &mut self.target else {
+            // The link is lost: what is shown is marked.
+            self.tell_watches();
+            return;
+        };
         for streamed in target.take_streamed() {
             let news = match streamed {
                 Streamed::Sample(sample) => self.watching.live.take(sample),

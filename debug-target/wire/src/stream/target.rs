@@ -18,8 +18,8 @@ const LAST_HEARTBEAT: u64 = 1_000_000;
 const CYCLE: u64 = 20_000;
 /// Least time between two samples where numbers do not pass in real time, in microseconds.
 const UNEVEN_PAUSE: u64 = 10_000;
-/// Bytes that may be saved up for the share of the streams.
-const MOST_CREDIT: i64 = 256;
+/// Bytes that may be saved up for the share of the streams: an event has to wait for one frame at most.
+const MOST_CREDIT: i64 = 64;
 
 /// State of a mechanism, for a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
