@@ -47,10 +47,11 @@ fn the_report_has_exactly_its_keys() {
     assert_eq!(ran.code, Some(0));
     let report = ran.json();
     let keys: BTreeSet<&str> = report.as_object().expect("an object").keys().map(String::as_str).collect();
-    assert_eq!(keys, ["cycles", "values", "registers", "messages", "fault"].into());
+    assert_eq!(keys, ["cycles", "values", "registers", "messages", "screen", "fault"].into());
     assert_eq!(report["cycles"], 7);
     assert_eq!(report["values"], json!({ "COUNT": 1007 }));
     assert_eq!(report["messages"], json!([]));
+    assert_eq!(report["screen"], json!({ "transient": [], "persistent": [] }));
     assert_eq!(report["fault"], Value::Null);
     let registers = report["registers"].as_object().expect("an object");
     assert_eq!(registers.len(), 3);

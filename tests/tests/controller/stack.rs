@@ -110,8 +110,13 @@ fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
     let asked: Vec<String> =
         functions.iter().filter(|(_, it)| asked(it)).map(|(name, _)| name.clone()).collect();
     assert!(!asked.is_empty(), "the debugger's question is there under another name");
-    let watched = functions.values_mut().find(|it| it.shown.ends_with("execute::run_watched"));
-    watched.expect("the watched loop is there").calls.extend(asked);
+    // One loop for programs with a trace, one for those without.
+    let mut watched = 0;
+    for function in functions.values_mut().filter(|it| it.shown.ends_with("execute::run_watched")) {
+        function.calls.extend(asked.iter().cloned());
+        watched += 1;
+    }
+    assert!(watched > 0, "the watched loop is there");
 
     let mut known = BTreeMap::new();
     let bytes = need("technol_tick", &functions, &mut known, &mut Vec::new());

@@ -57,7 +57,7 @@ fn every_mistake_is_reported_with_its_place() {
     a.test.toml:11:56: TEXT: the text has 12 characters, the buffer holds 8
     a.test.toml:12:21: an M function is a whole number from 0 to 99
     a.test.toml:12:31: `s` is a whole number from 0 to 32767
-    a.test.toml:12:35: `motion` is no key of a block; there is: m, s, t, h, motion-ms, rapid, mode, speed, feed, feed-max, length-mm, dwell, scale, integers, reals, axes, flags
+    a.test.toml:12:35: `motion` is no key of a block; there is: m, s, t, h, motion-ms, rapid, mode, speed, cutting-speed, speed-limit, feed, feed-max, length-mm, dwell, scale, integers, reals, axes, flags
     a.test.toml:15:11: `until` needs `at-most`, the longest time it may take
     a.test.toml:15:21: CONT is not declared in this program; did you mean COUNT?
     a.test.toml:16:19: GO is a bit, 0 or 1
