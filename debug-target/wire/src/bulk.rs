@@ -9,6 +9,8 @@ const CHUNK_OVERHEAD: usize = 8;
 const FIRST_TIMEOUT_US: u64 = 1_000_000;
 const LEAST_TIMEOUT_US: u64 = 200_000;
 const MOST_TIMEOUT_US: u64 = 5_000_000;
+/// A timeout that came too early doubles the next one, up to this.
+const MOST_BACKOFF_US: u64 = 2_500_000;
 
 #[derive(Clone, Debug)]
 struct InFlight {
@@ -110,8 +112,9 @@ impl Download {
         let mut arrived = 0;
         for piece in self.in_flight.iter().filter(|p| has(p)) {
             arrived += piece.end - piece.start;
-            // A piece that was repeated says nothing about which of its copies arrived, or when.
-            if !piece.repeated {
+            // A piece that was repeated says nothing about which of its copies arrived, or when; nor does one that
+            // the target had already.
+            if !piece.repeated && ack.complete as usize <= self.next {
                 newest = newest.max(Some(piece.order));
                 sample = Some(now.saturating_sub(piece.at));
             }
@@ -152,6 +155,12 @@ impl Download {
             return Err(NoProgress);
         }
         if timed_out {
+            // Perhaps nothing was lost and the line is just slow. Repeated pieces give no new sample, so without
+            // this an estimate that is too short would stay so.
+            let longer =
+                self.smoothed_us.map_or(FIRST_TIMEOUT_US / 3, |rtt| rtt.max(LEAST_TIMEOUT_US / 3)) * 2;
+            let most = self.smoothed_us.unwrap_or_default().max(MOST_BACKOFF_US / 3);
+            self.smoothed_us = Some(longer.min(most));
             return Ok(Some(now));
         }
         Ok(self.in_flight.iter().filter(|p| !p.resend).map(|p| p.at + timeout).min())
@@ -194,11 +203,39 @@ mod tests {
         let mut download = Download::new(vec![1; 5], 0, 100, 4);
         assert_eq!(offsets(&mut download, 0), [0]);
         assert_eq!(download.poll(0, 2), Ok(Some(1_000_000)));
-        for now in [1_000_000, 2_000_000] {
+        for now in [1_000_000, 3_000_000] {
             assert_eq!(download.poll(now, 2), Ok(Some(now)));
             assert_eq!(offsets(&mut download, now), [0]);
+            assert_eq!(
+                download.poll(now, 2).map(|next| next > Some(now + 1_900_000)),
+                Ok(true),
+                "longer each time"
+            );
         }
-        assert_eq!(download.poll(3_000_000, 2), Err(NoProgress));
+        assert_eq!(download.poll(5_600_000, 2), Err(NoProgress));
+    }
+
+    #[test]
+    fn a_line_that_is_slower_than_thought_is_given_more_time() {
+        let mut download = Download::new(vec![1; 50], 0, 10 + CHUNK_OVERHEAD, 1);
+        offsets(&mut download, 0);
+        download.take_ack(&ChunkAck { complete: 10, islands: vec![] }, 5_000);
+        // From now on an answer takes half a second.
+        let (mut now, mut repeated) = (5_000, 0);
+        for complete in [20, 30, 40, 50] {
+            offsets(&mut download, now);
+            let answer = now + 500_000;
+            while let Ok(Some(next)) = download.poll(now, 12)
+                && next < answer
+            {
+                now = next.max(now + 1);
+                repeated += offsets(&mut download, now).len();
+            }
+            now = answer;
+            download.take_ack(&ChunkAck { complete, islands: vec![] }, now);
+        }
+        assert!(download.is_done());
+        assert!(repeated <= 2, "{repeated} pieces were sent twice");
     }
 
     #[test]

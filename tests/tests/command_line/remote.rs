@@ -23,7 +23,8 @@ impl Served {
         let mut said = BufReader::new(target.stdout.take().expect("its output"));
         let mut line = String::new();
         said.read_line(&mut line).expect("it says something");
-        let address = line.trim().strip_prefix("listening at ").unwrap_or_else(|| panic!("{line}")).to_owned();
+        let address =
+            line.trim().strip_prefix("listening at ").unwrap_or_else(|| panic!("{line}")).to_owned();
         // Somebody has to read what it says further.
         std::thread::spawn(move || said.lines().map_while(Result::ok).for_each(drop));
         Served { target, address }
@@ -71,7 +72,8 @@ fn a_target_without_a_folder_offers_no_files() {
     run(&["files", "ls", "--target", &served.address]).failed(2, &["technol target --files DIR"]);
     let folder = Folder::with(&[]);
     let missing = folder.path("no");
-    run(&["target", "--listen", "tcp:127.0.0.1:0", "--files", &missing]).failed(2, &["cannot offer the folder"]);
+    run(&["target", "--listen", "tcp:127.0.0.1:0", "--files", &missing])
+        .failed(2, &["cannot offer the folder"]);
 }
 
 #[test]
@@ -84,7 +86,8 @@ fn a_link_is_tested_and_what_was_said_can_be_read() {
     assert!(lines[0].starts_with("round trip ") && lines[1].starts_with("throughput "), "{said}");
     assert!(lines[2].contains(" 0 of ") && lines[3] == "fit", "{said}");
     let log = run(&["link", "log", &record]).ok();
-    for part in ["host    request ", ": Hello { version: 1, ", "target  response ", "Goodbye { stop: false }"] {
+    for part in ["host    request ", ": Hello { version: 1, ", "target  response ", "Goodbye { stop: false }"]
+    {
         assert!(log.contains(part), "`{part}` in:\n{}", &log[..log.len().min(2000)]);
     }
     run(&["link", "log", &folder.path("no.log")]).failed(2, &["no.log"]);

@@ -30,12 +30,16 @@ fn a_stop_is_there_within_four_milliseconds() {
 #[test]
 fn a_step_with_its_registers_takes_six_milliseconds_at_most() {
     let (mut world, mut probe) = stopped_at_a_break_point();
+    let mut cycle = world.core.status().cycle;
     for _ in 0..20 {
         probe.run(&mut world, SECOND / 3);
         let began = world.now;
         probe.host.request(Request::Resume(Resume::Into));
         let stopped = probe.stopped(&mut world);
-        assert!(world.now - began <= 6_000, "{} µs", world.now - began);
+        // Behind the last statement of a cycle the program waits for the next cycle.
+        let waits = if stopped.cycle == cycle { 0 } else { 20_000 };
+        cycle = stopped.cycle;
+        assert!(world.now - began <= 6_000 + waits, "{} µs", world.now - began);
         assert_eq!(stopped.frames[0].pc, stopped.pc);
         assert!(stopped.registers.dr >= 0, "the registers came along");
     }

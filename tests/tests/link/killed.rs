@@ -35,6 +35,7 @@ fn long() -> Vec<u8> {
 
 fn announce(probe: &mut Probe, world: &mut World) {
     probe.tell(world, Request::Download { len: long().len() as u32, hash: hash_bytes(&long()) });
+    probe.downloaded = false;
     probe.host.download(long());
 }
 

@@ -19,6 +19,8 @@ pub(crate) struct Passed {
     pub(crate) at: u64,
     pub(crate) from_host: bool,
     pub(crate) kind: u8,
+    /// Number of the message that begins with it.
+    pub(crate) what: Option<u8>,
 }
 
 /// Target and cable.
@@ -114,7 +116,12 @@ fn fresh_end(line: LineOptions) -> TargetEnd {
 
 fn note(ear: &mut FrameDecoder, log: &mut Vec<Passed>, at: u64, from_host: bool, bytes: &[u8]) {
     let frames = bytes.iter().filter_map(|b| ear.push(*b)).filter_map(Result::ok);
-    log.extend(frames.map(|frame| Passed { at, from_host, kind: frame.kind }));
+    log.extend(frames.map(|frame| Passed {
+        at,
+        from_host,
+        kind: frame.kind,
+        what: frame.payload.get(1).copied(),
+    }));
 }
 
 /// The world, shared between a test and the adapter.
