@@ -78,7 +78,8 @@ impl Tcp {
                     tell.send(address).unwrap();
                 }
             };
-            serve_listener(&listener, token.as_ref(), &mut |link| link, &mut core, shutdown, &mut notice).unwrap();
+            serve_listener(&listener, token.as_ref(), &mut |link| link, &mut core, shutdown, &mut notice)
+                .unwrap();
         });
         Tcp { address: told.recv().unwrap(), _target: target }
     }
