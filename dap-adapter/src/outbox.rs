@@ -66,7 +66,7 @@ impl Outbox {
     }
 
     /// Reports something that the protocol has no event for.
-    pub(crate) fn custom(&mut self, event: &str, body: Value) {
+    pub(crate) fn custom(&mut self, event: &str, body: &Value) {
         self.send(json!({ "type": "event", "event": event, "body": body }));
     }
 

@@ -198,6 +198,8 @@ impl Reader {
             },
             kind::PING => "ping".to_owned(),
             kind::PONG => "pong".to_owned(),
+            kind::STREAM => sample(*seq, payload),
+            kind::LISTENING => listening(payload),
             kind::CHALLENGE => "asks for the token".to_owned(),
             kind::PROOF => "proves that it knows the token".to_owned(),
             kind::ADMISSION if payload.is_empty() => "does not let the host in".to_owned(),
@@ -239,6 +241,35 @@ impl Reader {
             Err(_) => format!("{what} {seq} of another version: {} bytes", message.len()),
         }
     }
+}
+
+/// What a sample says of itself; its values need the subscription and the samples before it.
+fn sample(seq: u8, payload: &[u8]) -> String {
+    let Some((head, rest)) = payload.split_first() else { return "sample without content".to_owned() };
+    let what = ["whole, plain", "whole", "changes since the last whole one", "changes since the last one"];
+    let what = what[usize::from(head >> 3 & 3)];
+    let full = || {
+        let (number, rest) = postcard::take_from_bytes::<u32>(rest).ok()?;
+        let (cycle, _) = postcard::take_from_bytes::<u32>(rest).ok()?;
+        Some(format!("number {number}, cycle {cycle}"))
+    };
+    let short = || format!("number {} of 1024", u32::from(head & 3) << 8 | u32::from(seq));
+    let number = if head & 4 != 0 { full() } else { Some(short()) };
+    let number = number.unwrap_or_else(|| "its number is not understood".to_owned());
+    format!("sample of stream {}: {what}, {number}, {} bytes", head >> 5, payload.len())
+}
+
+/// Which streams a host listens to.
+fn listening(payload: &[u8]) -> String {
+    let stream = |entry: &[u8]| {
+        let [flags, number @ ..] = entry else { return String::new() };
+        let number = number.try_into().map_or(0, u32::from_le_bytes);
+        let has = if flags & 0x40 != 0 { format!(" (has {number})") } else { String::new() };
+        let wants = if flags & 0x80 != 0 { " (wants a whole sample)" } else { "" };
+        format!("{}{has}{wants}", flags & 7)
+    };
+    let streams: Vec<String> = payload.chunks_exact(5).map(stream).collect();
+    format!("listens to stream {}", streams.join(", "))
 }
 
 #[cfg(test)]
@@ -294,5 +325,27 @@ mod tests {
             let expected = format!("line {line} is no part of a recording: {what};");
             assert!(error.to_string().starts_with(&expected), "{text}: {error}");
         }
+    }
+
+    /// The frames are the examples of PROTOCOL.md.
+    #[test]
+    fn streams_are_told_in_words() {
+        let lines = "0 < 1185e8afe8079003c4b1088b807b3ed6ae00\n1 < 0985e9b3801dc22a8100\n";
+        let mut bytes = Vec::new();
+        technol_wire::frame::encode(kind::LISTENING, 0, &[0xC5, 0xE8, 3, 0, 0, 1, 0, 0, 0, 0], &mut bytes);
+        let hex = bytes.iter().fold(String::new(), |mut hex, byte| {
+            let _ = write!(hex, "{byte:02x}");
+            hex
+        });
+        let text = text_of_recording(&format!("{lines}2 > {hex}\n")).unwrap();
+        let said: Vec<&str> = text.lines().map(|line| line[12..].trim()).collect();
+        assert_eq!(
+            said,
+            [
+                "target  sample of stream 5: whole, number 1000, cycle 400, 10 bytes",
+                "target  sample of stream 5: changes since the last whole one, number 1001 of 1024, 2 bytes",
+                "host    listens to stream 5 (has 1000) (wants a whole sample), 1",
+            ]
+        );
     }
 }

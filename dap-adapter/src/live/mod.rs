@@ -119,12 +119,12 @@ impl Live {
     }
 
     /// An item as it was subscribed.
-    pub(crate) fn item(&self, item: &Item) -> Option<Told<Reading>> {
+    pub(crate) fn item(&self, item: Item) -> Option<Told<Reading>> {
         for stream in self.streams.values() {
             let Subject::Variables(items) = &stream.subscription.subject else { continue };
             let mut slot = 0;
             for other in items {
-                if other == item {
+                if *other == item {
                     let sample = stream.sample.as_ref()?;
                     let values = sample.values.get(slot..slot + slots(item.mode))?;
                     let value = reading(item.mode, values)?;
@@ -263,10 +263,10 @@ mod tests {
         let item = Item { addr: 4, kind: ItemKind::Signed(1), mode: Mode::Extremes };
         let mut live = Live::default();
         live.open(Subscription { id: 2, period: 1, subject: Subject::Variables(vec![item]) });
-        assert_eq!(live.item(&item), None);
+        assert_eq!(live.item(item), None);
         live.take(sample(2, 100, &[5, 0xF0, 7]));
         live.take(sample(2, 101, &[6, 5, 20]));
-        let extremes = |live: &Live| live.item(&item).unwrap().value.extremes;
+        let extremes = |live: &Live| live.item(item).unwrap().value.extremes;
         assert_eq!(extremes(&live), Some((0xF0, 20)));
         live.told();
         live.take(sample(2, 102, &[6, 6, 6]));
@@ -274,7 +274,7 @@ mod tests {
         assert_eq!(live.cell(4, 1), Some(6));
         assert_eq!((live.cell(4, 2), live.cell(5, 1)), (None, None));
         assert_eq!(live.stale(2), News { variables: true, ..News::default() });
-        assert_eq!((live.cell(4, 1), live.item(&item).unwrap().stale), (None, true));
+        assert_eq!((live.cell(4, 1), live.item(item).unwrap().stale), (None, true));
     }
 
     #[test]

@@ -388,14 +388,14 @@ impl Session {
             !watching.lines.is_empty() && watching.news.trace && is_due(watching.trace_told, LEAST_PAUSE);
         if values {
             let body = self.watch_body();
-            self.out.custom("technol/watch", body);
+            self.out.custom("technol/watch", &body);
             self.watching.live.told();
             self.watching.untold = false;
             self.watching.told = Some(Instant::now());
         }
         if lines {
             let body = self.trace_body();
-            self.out.custom("technol/trace", body);
+            self.out.custom("technol/trace", &body);
             self.watching.news.trace = false;
             self.watching.trace_told = Some(Instant::now());
         }

@@ -37,7 +37,7 @@ impl Session {
                     Some(width) => values::cell(raw, *width, watched.hex),
                     None => values::bit(raw == 1),
                 };
-                let told = self.watching.live.item(item);
+                let told = self.watching.live.item(*item);
                 put(&mut shown, told.map(|t| told_as(&t, text(t.value.value))));
                 if let Some(Told { value: Reading { extremes, edges, .. }, .. }) = told {
                     shown["least"] = json!(extremes.map(|(least, _)| text(least)));
