@@ -203,6 +203,8 @@ fn watches_of_a_running_program_go_on_after_a_cut_and_are_stale_meanwhile() {
     shared.world().cable.set_cut(true);
     let lost = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("link to the target is lost"));
     editor.client.event_where(mark, "output", lost).expect("it is told");
+    let stale = |b: &Value| b["watches"][0]["stale"] == true;
+    editor.client.event_where(mark, "technol/watch", stale).expect("what is shown is marked");
     shared.world().cable.set_cut(false);
     let back = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("is back"));
     editor.client.event_where(mark, "output", back).expect("the link is back");
