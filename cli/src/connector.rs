@@ -26,14 +26,13 @@ impl Targets {
     fn reach(&self, text: &str, token_file: Option<&PathBuf>) -> Result<Box<dyn Link>, String> {
         let key = (text.to_owned(), token_file.cloned());
         let known = self.ways.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
-        let mut way = match known {
-            Some(way) => way,
-            None => {
-                let address: Address = text.parse().map_err(|e| format!("{e}"))?;
-                let file = token_file.map(PathBuf::as_path);
-                let token = crate::remote::token(file, Some(&address)).map_err(|e| e.message)?;
-                technol_target::Connector::new(address, token)
-            }
+        let mut way = if let Some(way) = known {
+            way
+        } else {
+            let address: Address = text.parse().map_err(|e| format!("{e}"))?;
+            let file = token_file.map(PathBuf::as_path);
+            let token = crate::remote::token(file, Some(&address)).map_err(|e| e.message)?;
+            technol_target::Connector::new(address, token)
         };
         let link = way.connect().map_err(|e| e.to_string())?;
         self.ways.lock().unwrap_or_else(PoisonError::into_inner).insert(key, way);

@@ -51,7 +51,7 @@ pub fn main() -> ExitCode {
         Command::Dap(arguments) => dap::dap(&arguments),
         // `--stdio` only names what happens anyway.
         Command::Lsp(LspArguments { stdio: _ }) => Ok(dap::lsp()),
-        Command::Devices(arguments) => link::list_devices(&arguments),
+        Command::Devices(arguments) => Ok(link::list_devices(&arguments)),
         Command::Link(arguments) => link::link(&arguments.command),
         Command::Files(arguments) => remote_files::files(&arguments),
         Command::Fmt(arguments) => fmt::fmt(&arguments),

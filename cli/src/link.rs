@@ -135,14 +135,14 @@ fn verdict(m: &Measured) -> (Vec<String>, bool) {
 }
 
 /// Lists the serial devices.
-pub(crate) fn list_devices(arguments: &DevicesArguments) -> Outcome {
+pub(crate) fn list_devices(arguments: &DevicesArguments) -> u8 {
     let found = devices();
     match arguments.format {
         Format::Json => say!("{}", serde_json::Value::from(found.iter().map(as_json).collect::<Vec<_>>())),
         Format::Human if found.is_empty() => say!("no serial device was found; is the cable plugged in?"),
         Format::Human => found.iter().flat_map(described).for_each(|line| say!("{line}")),
     }
-    Ok(exit::OK)
+    exit::OK
 }
 
 fn described(device: &Device) -> Vec<String> {

@@ -138,16 +138,16 @@ impl Session {
                 running: status.program.map_or_else(|| ": it has none".into(), |_| String::new()),
             }),
             Policy::IfStale | Policy::Always => {
-                self.download(encode_program(&project.image.program), hash)?;
+                self.download(&encode_program(&project.image.program), hash)?;
                 Ok(PlcState::Stopped)
             }
         }
     }
 
     /// Loads a program. When the link is lost meanwhile and comes back, what has arrived need not be sent again.
-    fn download(&mut self, bytes: Vec<u8>, hash: ContentHash) -> Result<(), RequestError> {
+    fn download(&mut self, bytes: &[u8], hash: ContentHash) -> Result<(), RequestError> {
         loop {
-            match self.download_once(bytes.clone(), hash) {
+            match self.download_once(bytes.to_vec(), hash) {
                 Err(RequestError::LinkLost(why)) if self.may_reconnect() => self.reach_again(&why)?,
                 other => return other,
             }

@@ -42,7 +42,8 @@ impl Drop for Served {
 #[test]
 fn files_at_a_target_are_worked_with_from_here() {
     let there = Folder::with(&[("kept.txt", b"kept")]);
-    let here = Folder::with(&[("table.PlcT", &[7; 70_000])]);
+    let table = vec![7; 70_000];
+    let here = Folder::with(&[("table.PlcT", &table)]);
     let served = Served::start(&["--files", &there.path("")]);
     let files = |words: &[&str]| {
         let mut arguments = vec!["files"];
@@ -57,7 +58,7 @@ fn files_at_a_target_are_worked_with_from_here() {
     files(&["cp", "tables/table.PlcT", "copy"]).ok();
     files(&["mv", "kept.txt", "moved.txt"]).ok();
     files(&["get", "copy"]).ok();
-    assert_eq!(std::fs::read(here.path("copy")).expect("it was fetched"), [7; 70_000]);
+    assert_eq!(std::fs::read(here.path("copy")).expect("it was fetched"), table);
     files(&["rm", "copy"]).ok();
     assert_eq!(files(&["ls"]).ok(), "           4  moved.txt\n              tables/\n");
     files(&["get", "../here"]).failed(2, &["leads out of the folder"]);

@@ -133,6 +133,15 @@ impl Shared {
         Shared(Arc::new(Mutex::new(World::new(line, options))))
     }
 
+    /// Waits until so much virtual time has passed; the adapter lets it pass, unless it is without a link.
+    pub(crate) fn think(&self, micros: u64) {
+        let until = self.world().now + micros;
+        let patience = Instant::now() + Duration::from_secs(2);
+        while self.world().now < until && Instant::now() < patience {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
     pub(crate) fn world(&self) -> MutexGuard<'_, World> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

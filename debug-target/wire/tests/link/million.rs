@@ -146,7 +146,7 @@ fn session(seed: u32, line: LineOptions, what: &str) -> u64 {
     for (at, ticket) in tickets.iter().enumerate() {
         match world.response(*ticket) {
             Some(response) => {
-                assert!(*response == Response::Done && at < acted.len(), "{what}, session {seed}")
+                assert!(*response == Response::Done && at < acted.len(), "{what}, session {seed}");
             }
             None => assert!(world.host.is_lost(), "{what}, session {seed}: a command without an answer"),
         }

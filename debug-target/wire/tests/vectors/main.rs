@@ -2,6 +2,7 @@
 //! with this implementation; `decode.py`, which shares no code with it, has to read the same from them.
 //!
 //! `TECHNOL_BLESS=1` writes the files anew, after a change that is meant.
+#![allow(clippy::unwrap_used)] // tests
 
 mod samples;
 mod session;

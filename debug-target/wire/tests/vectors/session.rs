@@ -79,7 +79,7 @@ pub(crate) fn record() -> Vec<Value> {
     talk.settle();
     assert_eq!(hello.0, 0);
     talk.host.request(Request::OnLinkLost(LostPolicy::StayStopped));
-    let program: Vec<u8> = (0..700_u32).map(|n| (n * n >> 3) as u8).collect();
+    let program: Vec<u8> = (0..700_u32).map(|n| ((n * n) >> 3) as u8).collect();
     talk.host.request(Request::Download { len: 700, hash: *b"0123456789abcdef" });
     talk.host.download(program);
     talk.settle();
