@@ -460,19 +460,5 @@ impl Drop for TargetCore {
 fn empty_program() -> Program {
     use technol_image::program::{Region, RegionKind};
     let system = Region { kind: RegionKind::System, start: 0, len: technol_image::system::LEN };
-    Program {
-        name: String::new(),
-        regions: vec![system],
-        code: Vec::new(),
-        statements: Vec::new(),
-        modules: Vec::new(),
-        sequences: Vec::new(),
-        timed: Vec::new(),
-        messages: Vec::new(),
-        services: Vec::new(),
-        procedures: Vec::new(),
-        initial: Vec::new(),
-        init_finished: Vec::new(),
-        done_finished: Vec::new(),
-    }
+    Program::without_code(String::new(), vec![system])
 }

@@ -362,19 +362,6 @@ impl<'a> Linker<'a> {
 }
 
 fn empty_program(name: &str, regions: Vec<Region>, layout: &Layout) -> Program {
-    Program {
-        name: name.to_owned(),
-        regions,
-        code: Vec::new(),
-        statements: Vec::new(),
-        modules: Vec::new(),
-        sequences: Vec::new(),
-        timed: Vec::new(),
-        messages: Vec::new(),
-        services: Vec::new(),
-        procedures: Vec::new(),
-        initial: with_power_on(&layout.initial),
-        init_finished: Vec::new(),
-        done_finished: Vec::new(),
-    }
+    let initial = with_power_on(&layout.initial);
+    Program { initial, ..Program::without_code(name.to_owned(), regions) }
 }

@@ -251,6 +251,26 @@ pub struct Program {
 }
 
 impl Program {
+    /// A program with memory and nothing to do.
+    #[must_use]
+    pub fn without_code(name: String, regions: Vec<Region>) -> Program {
+        Program {
+            name,
+            regions,
+            code: Vec::new(),
+            statements: Vec::new(),
+            modules: Vec::new(),
+            sequences: Vec::new(),
+            timed: Vec::new(),
+            messages: Vec::new(),
+            services: Vec::new(),
+            procedures: Vec::new(),
+            initial: Vec::new(),
+            init_finished: Vec::new(),
+            done_finished: Vec::new(),
+        }
+    }
+
     /// Length of PLC memory in bytes.
     #[must_use]
     pub fn memory_len(&self) -> u32 {

@@ -28,7 +28,6 @@ mod ramp;
 mod settings;
 mod signal;
 mod slide;
-mod state_hash;
 mod turret;
 mod wiring;
 

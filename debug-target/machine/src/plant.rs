@@ -397,7 +397,7 @@ impl Plant {
     /// A number that two machines of the same description share when they are in the same state.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        crate::state_hash::of(self)
+        technol_runtime::StateHash::of_shown(self)
     }
 
     /// Indices of the input ports (0 is P1IN) that are copied each millisecond.

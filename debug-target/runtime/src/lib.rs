@@ -62,4 +62,5 @@ pub use prepared::{BLOCK_AXES, BLOCK_PARAMETERS, BlockFlag, BlockFlags, BlockRea
 pub use registers::Registers;
 pub use runtime::{Limits, Runtime, TickOutcome};
 pub use sequence::SequenceState;
+pub use state_hash::StateHash;
 pub use trace::{TraceEntry, TraceValues};

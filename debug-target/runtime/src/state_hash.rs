@@ -1,4 +1,4 @@
-//! A number for the state of a runtime.
+//! Numbers for states: of a runtime, and of what is around it.
 
 use core::fmt::{self, Write};
 
@@ -34,7 +34,7 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
         spent,
     } = runtime;
     let crate::execute::Machine { memory, millis, init_seen, done_seen, state_since } = machine;
-    let mut hash = Fnv::new();
+    let mut hash = StateHash::new();
     hash.add(memory.bytes());
     hash.add(outputs);
     hash.add(shorted);
@@ -46,22 +46,49 @@ pub(crate) fn of(runtime: &Runtime) -> u64 {
         hash.add(&bx.to_le_bytes());
         hash.add(&eax.to_le_bytes());
         hash.add(&flags.to_le_bytes());
-        hash.show(&(ctx.pc, &ctx.calls, ctx.root, ctx.rewound));
+        hash.add_shown(&(ctx.pc, &ctx.calls, ctx.root, ctx.rewound));
     }
-    hash.show(&(millis, init_seen, done_seen, state_since));
-    hash.show(&(position, state, fault, commands, entry_dr, block, plc_events, spent));
-    hash.0
+    hash.add_shown(&(millis, init_seen, done_seen, state_since));
+    hash.add_shown(&(position, state, fault, commands, entry_dr, block, plc_events, spent));
+    hash.value()
 }
 
-/// 64-bit FNV-1a over eight bytes at a time.
-struct Fnv(u64);
+/// Makes a number of a state: 64-bit FNV-1a over eight bytes at a time. Equal states give equal numbers; the numbers
+/// are for comparisons within one version of this crate, not to be kept.
+#[derive(Clone, Debug)]
+pub struct StateHash(u64);
 
-impl Fnv {
-    fn new() -> Fnv {
-        Fnv(0xCBF2_9CE4_8422_2325)
+impl Default for StateHash {
+    fn default() -> StateHash {
+        StateHash::new()
+    }
+}
+
+impl StateHash {
+    /// Of nothing yet.
+    #[must_use]
+    pub fn new() -> StateHash {
+        StateHash(0xCBF2_9CE4_8422_2325)
     }
 
-    fn add(&mut self, bytes: &[u8]) {
+    /// The number of how a value shows itself: every field of it takes part, also those that are added later.
+    #[must_use]
+    pub fn of_shown(value: &dyn fmt::Debug) -> u64 {
+        let mut hash = StateHash::new();
+        hash.add_shown(value);
+        hash.value()
+    }
+
+    /// The number of bytes, for areas that are too long to show each of them.
+    #[must_use]
+    pub fn of_bytes(bytes: &[u8]) -> u64 {
+        let mut hash = StateHash::new();
+        hash.add(bytes);
+        hash.value()
+    }
+
+    /// Adds bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
         let (words, rest) = bytes.as_chunks();
         for word in words {
             self.add_word(u64::from_le_bytes(*word));
@@ -71,19 +98,25 @@ impl Fnv {
         }
     }
 
+    /// Adds how a value shows itself.
+    pub fn add_shown(&mut self, value: &dyn fmt::Debug) {
+        // Writing into the hash does not fail.
+        let _ = write!(self, "{value:?}");
+    }
+
+    /// The number of all that was added.
+    #[must_use]
+    pub fn value(&self) -> u64 {
+        self.0
+    }
+
     fn add_word(&mut self, word: u64) {
         self.0 = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
         self.0 ^= self.0 >> 32;
     }
-
-    /// Adds how a value shows itself, in which every field of it takes part.
-    fn show(&mut self, value: &dyn fmt::Debug) {
-        // Writing into the hash does not fail.
-        let _ = write!(self, "{value:?}");
-    }
 }
 
-impl Write for Fnv {
+impl Write for StateHash {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         self.add(text.as_bytes());
         Ok(())

@@ -45,21 +45,10 @@ pub(crate) fn check(text: &str) -> bool {
 /// Nothing but the interface: what a machine does then, it does by itself.
 static PROGRAM: LazyLock<Program> = LazyLock::new(|| {
     use technol_image::program::{Region, RegionKind};
-    Program {
-        name: String::new(),
-        regions: vec![Region { kind: RegionKind::System, start: 0, len: system::LEN }],
-        code: Vec::new(),
-        statements: Vec::new(),
-        modules: Vec::new(),
-        sequences: Vec::new(),
-        timed: Vec::new(),
-        messages: Vec::new(),
-        services: Vec::new(),
-        procedures: Vec::new(),
-        initial: Vec::new(),
-        init_finished: Vec::new(),
-        done_finished: Vec::new(),
-    }
+    Program::without_code(
+        String::new(),
+        vec![Region { kind: RegionKind::System, start: 0, len: system::LEN }],
+    )
 });
 
 fn run(machine: &technol_machine::MachineConfig) {

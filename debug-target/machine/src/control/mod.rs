@@ -106,7 +106,7 @@ impl SimulatedControl {
     /// A number that two controls share when they go on the same way from here.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        crate::state_hash::of(self)
+        technol_runtime::StateHash::of_shown(self)
     }
 
     /// Axes and spindles.

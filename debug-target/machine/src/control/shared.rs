@@ -7,11 +7,10 @@ use core::fmt;
 
 use technol_image::op::Addr;
 use technol_image::service::{Arg, Service};
-use technol_runtime::{Call, FaultKind};
+use technol_runtime::{Call, FaultKind, StateHash};
 
 use super::data::Value;
 use super::transfer::Transfers;
-use crate::state_hash;
 
 /// Length of a shared area in bytes.
 pub(super) const AREA_LEN: usize = 32_000;
@@ -97,7 +96,7 @@ struct Area(Box<[u8]>);
 impl fmt::Debug for Area {
     /// As a number: nobody reads 32,000 bytes, and the state of the control is told by what this shows.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:#x}", state_hash::of_bytes(&self.0))
+        write!(f, "{:#x}", StateHash::of_bytes(&self.0))
     }
 }
 

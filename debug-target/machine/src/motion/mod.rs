@@ -346,7 +346,7 @@ impl Motion {
 
     /// A number that two of the same machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
-        crate::state_hash::of(self)
+        technol_runtime::StateHash::of_shown(self)
     }
 
     /// Values of the analogue outputs; 7FFFh is 10 V.
