@@ -296,7 +296,9 @@ impl State {
             },
             Request::Status => Response::Status(self.status),
             Request::OnLinkLost(_) => Response::Done,
-            Request::Echo { .. } | Request::Files(_) => Response::Failed(Failure::Unsupported),
+            Request::Echo { .. } | Request::Files(_) | Request::MachineRegisters => {
+                Response::Failed(Failure::Unsupported)
+            }
             Request::Download { len, .. } => {
                 self.announced = vec![0; len as usize];
                 Response::Done

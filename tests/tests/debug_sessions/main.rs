@@ -12,6 +12,7 @@ mod attach;
 mod breakpoints;
 mod child;
 mod console;
+mod machine_registers;
 mod session;
 mod trouble;
 mod watching;
