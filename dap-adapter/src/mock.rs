@@ -12,7 +12,7 @@ use technol_wire::message::{
     BreakpointState, Event, Failure, Frame, Limits, PROTOCOL_VERSION, PlcState, Registers, Request, Response,
     SequenceState, Status, StopReason, Stopped, feature,
 };
-use technol_wire::{MechanismSample, SampleSource, TargetInput, TargetSession, TraceSample};
+use technol_wire::{MechanismSample, Ran, SampleSource, TargetInput, TargetSession, TraceSample};
 
 use crate::arguments::Policy;
 use crate::connection::{ByteLink, Connector, TargetSpec};
@@ -277,7 +277,11 @@ impl SampleSource for State {
 
     fn traced(&self, pc: u32) -> TraceSample {
         TraceSample {
-            ran: pc == sample::pc(20),
+            ran: match pc {
+                _ if pc == sample::pc(20) => Ran::Now,
+                _ if pc == sample::pc(21) => Ran::Before,
+                _ => Ran::Never,
+            },
             rlo: true,
             dr: i64::from(self.memory[sample::COUNT as usize]),
         }
