@@ -7,12 +7,17 @@ mod binary;
 mod frame;
 #[path = "../common/lathe.rs"]
 mod lathe;
+#[cfg(unix)]
+#[path = "../common/patient.rs"]
+mod patient;
 
 mod attach;
 mod breakpoints;
 mod child;
 mod console;
 mod machine_registers;
+#[cfg(unix)]
+mod noise;
 mod session;
 mod trouble;
 mod watching;
