@@ -229,6 +229,7 @@ fn debuggee(project: BuiltProject, plc: PlcState, how: How) -> Debuggee {
     let program = Arc::new(project.image.program.clone());
     let debug = Arc::new(project.image.debug.clone().unwrap_or_default());
     let map = SourceMap::new(&project.root, &program, &debug, project.encoding);
-    let tree = Tree::new(&debug, &ports::used(&program, &debug));
-    Debuggee { how, project, program, debug, map, tree, plc, stop: None, fault: None }
+    let ports = ports::used(&program, &debug);
+    let tree = Tree::new(&debug, &ports);
+    Debuggee { how, project, program, debug, map, ports, tree, plc, stop: None, fault: None }
 }
