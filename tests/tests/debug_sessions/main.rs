@@ -12,6 +12,7 @@ mod attach;
 mod breakpoints;
 mod child;
 mod console;
+mod forcing;
 mod session;
 mod trouble;
 mod watching;

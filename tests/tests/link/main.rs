@@ -13,6 +13,7 @@ mod binary;
 mod lathe;
 
 mod bars;
+mod forcing;
 mod killed;
 mod probe;
 mod session;
