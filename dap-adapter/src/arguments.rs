@@ -55,11 +55,19 @@ pub(crate) struct LinkArguments {
     pub(crate) reconnect: u32,
     /// File with the token.
     pub(crate) token_file: Option<PathBuf>,
+    /// What the session forced stays forced when it ends.
+    #[serde(default)]
+    pub(crate) keep_forced: bool,
 }
 
 impl Default for LinkArguments {
     fn default() -> LinkArguments {
-        LinkArguments { on_link_lost: OnLinkLost::RunOn, reconnect: half_a_minute(), token_file: None }
+        LinkArguments {
+            on_link_lost: OnLinkLost::RunOn,
+            reconnect: half_a_minute(),
+            token_file: None,
+            keep_forced: false,
+        }
     }
 }
 
@@ -131,12 +139,13 @@ mod tests {
     #[test]
     fn both_ways_to_begin_say_what_becomes_of_a_lost_link() {
         let arguments = json!({
-            "program": "/p", "onLinkLost": "stayStopped", "reconnect": 5, "tokenFile": "/t",
+            "program": "/p", "onLinkLost": "stayStopped", "reconnect": 5, "tokenFile": "/t", "keepForced": true,
         });
         let link = LinkArguments {
             on_link_lost: OnLinkLost::StayStopped,
             reconnect: 5,
             token_file: Some("/t".into()),
+            keep_forced: true,
         };
         let launch: LaunchArguments = serde_json::from_value(arguments.clone()).unwrap();
         let attach: AttachArguments = serde_json::from_value(arguments).unwrap();

@@ -378,7 +378,9 @@ fn shape_fault(message: &Value, last_seq: i64) -> Option<&'static str> {
     if any_field(message, &|_, value| value.is_null()) {
         return Some("optional fields that are not there must be absent, not null");
     }
-    if any_field(message, &|key, _| key.contains('_') && key != "request_seq") {
+    // The second is an extension of VS Code.
+    let exceptions = ["request_seq", "__vscodeVariableMenuContext"];
+    if any_field(message, &|key, _| key.contains('_') && !exceptions.contains(&key)) {
         return Some("no field of the protocol but request_seq has an underscore");
     }
     let name = match message["type"].as_str() {

@@ -12,6 +12,7 @@ mod connection;
 mod errors;
 mod expression;
 mod file_builder;
+mod forcing;
 mod kept_image;
 mod live;
 mod mechanisms;

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use technol_image::container::{content_hash, decode_program};
+use technol_image::system;
 use technol_wire::message::{
     BreakpointState, Event, Failure, Frame, Limits, PROTOCOL_VERSION, PlcState, Registers, Request, Response,
     SequenceState, Status, StopReason, Stopped, feature,
@@ -315,7 +316,11 @@ impl State {
                 }
                 Err(_) => Response::Failed(Failure::Incomplete),
             },
-            Request::Start { stop_on_entry, .. } => {
+            Request::Start { cold, stop_on_entry } => {
+                if cold {
+                    let masks = system::IN_FORCE_LOW as usize..system::OUT_SHORTED as usize;
+                    self.memory[masks].fill(0);
+                }
                 self.to(PlcState::Running);
                 if stop_on_entry {
                     self.stops.push_front(stop(StopReason::Entry, 11, None, &[]));

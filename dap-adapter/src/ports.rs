@@ -3,12 +3,14 @@
 //! A PLC program copies ports into declared bytes and bits (or back) before it works with them; those declared
 //! names tell the user more than `P1IN.3`.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use technol_image::Program;
 use technol_image::debug_info::{DebugInfo, Scope, SymbolKind};
 use technol_image::op::{Addr, BitRef, Op, Place, Source, Width};
 use technol_image::system;
+
+use crate::forcing::{MASKS, MASKS_LEN};
 
 /// A port that the program uses.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,19 +26,51 @@ pub(crate) struct Port {
 pub(crate) struct Ports {
     pub(crate) inputs: Vec<Port>,
     pub(crate) outputs: Vec<Port>,
+    /// Declared bits that are copied from or to bits of ports.
+    pub(crate) copies: Copies,
+    /// The program names forcing masks, so it may force ports itself.
+    pub(crate) forces: bool,
+}
+
+/// Byte and bit of declared data, and the bits of ports.
+pub(crate) type Copies = BTreeMap<(Addr, u8), BTreeSet<(Addr, u8)>>;
+
+impl Ports {
+    /// A port's name.
+    pub(crate) fn name(&self, port: Addr) -> String {
+        self.port(port).map_or_else(|| port_name(port), |p| p.name.clone())
+    }
+
+    /// What the program calls a bit of a port.
+    pub(crate) fn bit_name(&self, port: Addr, bit: u8) -> Option<&str> {
+        self.port(port)?.bits.get(usize::from(bit))?.as_deref()
+    }
+
+    fn port(&self, addr: Addr) -> Option<&Port> {
+        self.inputs.iter().chain(&self.outputs).find(|p| p.addr == addr)
+    }
 }
 
 type Names = HashMap<(Addr, u8), String>;
-type Found = BTreeMap<Addr, [Option<String>; 8]>;
+type Bits = BTreeMap<Addr, [Option<String>; 8]>;
+
+#[derive(Default)]
+struct Found {
+    bits: Bits,
+    copies: Copies,
+}
 
 /// Collects the ports from code and symbols.
 pub(crate) fn used(program: &Program, debug: &DebugInfo) -> Ports {
     let names = bit_names(debug);
-    let mut found = Found::new();
+    let mut found = Found::default();
+    let mut forces = false;
+    let masks = MASKS..MASKS + MASKS_LEN;
     for op in &program.code {
         for addr in touched(op) {
+            forces |= masks.contains(&addr);
             if is_port(addr) {
-                found.entry(addr).or_default();
+                found.bits.entry(addr).or_default();
             }
         }
     }
@@ -52,8 +86,8 @@ pub(crate) fn used(program: &Program, debug: &DebugInfo) -> Ports {
             _ => None,
         })
         .collect();
-    let mut ports = Ports::default();
-    for (addr, bits) in found {
+    let mut ports = Ports { copies: found.copies, forces, ..Ports::default() };
+    for (addr, bits) in found.bits {
         let name = spelled.get(&addr).map_or_else(|| port_name(addr), |n| (*n).to_owned());
         let port = Port { addr, name, bits };
         if is_output(addr) { ports.outputs.push(port) } else { ports.inputs.push(port) }
@@ -65,7 +99,7 @@ fn is_input(addr: Addr) -> bool {
     (system::IN_PORTS..system::IN_PORTS + system::IN_PORT_COUNT).contains(&addr)
 }
 
-fn is_output(addr: Addr) -> bool {
+pub(crate) fn is_output(addr: Addr) -> bool {
     (system::OUT_PORTS..system::OUT_PORTS + system::OUT_PORT_COUNT).contains(&addr)
 }
 
@@ -138,12 +172,12 @@ fn note_copy(op: &Op, next: Option<&Op>, names: &Names, found: &mut Found) {
 
 fn note_bit(src: BitRef, dst: BitRef, names: &Names, found: &mut Found) {
     for (port, other) in [(src, dst), (dst, src)] {
-        if is_port(port.addr)
-            && !is_port(other.addr)
-            && !(port.indexed || other.indexed)
-            && let (Some(bits), Some(name)) = (found.get_mut(&port.addr), names.get(&(other.addr, other.bit)))
-        {
-            bits[usize::from(port.bit & 7)].get_or_insert_with(|| name.clone());
+        if is_port(port.addr) && !is_port(other.addr) && !(port.indexed || other.indexed) {
+            let (at, copy) = ((port.addr, port.bit & 7), (other.addr, other.bit & 7));
+            found.copies.entry(copy).or_default().insert(at);
+            if let (Some(bits), Some(name)) = (found.bits.get_mut(&port.addr), names.get(&copy)) {
+                bits[usize::from(at.1)].get_or_insert_with(|| name.clone());
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use technol_wire::message::{Event, Limits, Request, Response};
+use technol_wire::message::{Event, Limits, Request, Response, StopReason};
 use technol_wire::{HostEvent, HostSession, Sample, Ticket};
 
 use crate::connection::ByteLink;
@@ -147,6 +147,13 @@ impl TargetLink {
     /// A stop has been reported and not been taken up yet.
     pub(crate) fn has_stop(&self) -> bool {
         self.events.iter().any(|e| matches!(e, TargetEvent::Event(Event::Stopped(_))))
+    }
+
+    /// Takes out the stop at the entry of a program that has just started.
+    pub(crate) fn take_entry(&mut self) -> bool {
+        let is_entry = |e: &TargetEvent| matches!(e, TargetEvent::Event(Event::Stopped(s)) if s.reason == StopReason::Entry);
+        let found = self.events.iter().position(is_entry);
+        found.and_then(|at| self.events.remove(at)).is_some()
     }
 
     fn wait(&mut self, ticket: Ticket) -> Result<Response, RequestError> {

@@ -11,6 +11,7 @@ use technol_wire::message::{MachineRegisters, Registers, Request as Ask, Respons
 
 use crate::errors::RequestError;
 use crate::expression;
+use crate::forcing;
 use crate::mechanisms;
 use crate::memory::{MemoryView, ReadPlan};
 use crate::registers::{self, Register};
@@ -48,6 +49,8 @@ impl Session {
         let rows = if wanted { self.rows(node, from, to)? } else { Vec::new() };
         let shown = self.show(&rows, wants_hex(arguments.format.as_ref()))?;
         let (_, debuggee) = self.parts()?;
+        let can_be_forced: Vec<bool> =
+            rows.iter().map(|row| forcing::is_on_port(&debuggee.ports, &row.shown)).collect();
         let variables = rows.into_iter().zip(shown).map(|(row, value)| Variable {
             type_field: Some(row.type_name()),
             indexed_variables: row.indexed().map(i64::from),
@@ -57,7 +60,11 @@ impl Session {
             value,
             ..Variable::default()
         });
-        body(&VariablesResponse { variables: variables.collect() })
+        let mut answer = body(&VariablesResponse { variables: variables.collect() })?;
+        if self.client.menus {
+            super::forcing::offer_menu(&mut answer, &can_be_forced);
+        }
+        Ok(answer)
     }
 
     fn node(&self, handle: i64) -> Result<Node, RequestError> {
@@ -117,7 +124,7 @@ impl Session {
                         _ => "not on the target".into(),
                     }
                 }
-                ref shown => plain_text(shown, &facts, hex),
+                ref shown => forcing::marked(shown, &facts.memory, plain_text(shown, &facts, hex)),
             })
             .collect())
     }
@@ -136,6 +143,10 @@ impl Session {
                 Shown::Machine(_) => machine = true,
                 Shown::Mechanism(_) | Shown::Detail(..) => sequences = true,
             }
+        }
+        for (low, high) in rows.iter().filter_map(|row| forcing::masks(forcing::port_of(&row.shown)?.port)) {
+            self.want(low, 1, &mut plan, &mut known);
+            self.want(high, 1, &mut plan, &mut known);
         }
         let mut memory = self.read(plan)?;
         for (addr, len, number) in known {
@@ -157,7 +168,7 @@ impl Session {
         }
     }
 
-    fn read(&mut self, plan: ReadPlan) -> Result<MemoryView, RequestError> {
+    pub(super) fn read(&mut self, plan: ReadPlan) -> Result<MemoryView, RequestError> {
         let (target, _) = self.parts()?;
         let mut view = MemoryView::default();
         for pieces in plan.requests(target.limits().max_read) {
@@ -240,7 +251,7 @@ impl Session {
         Ok(plain_text(shown, &facts, hex))
     }
 
-    fn write(&mut self, request: Ask) -> Result<(), RequestError> {
+    pub(super) fn write(&mut self, request: Ask) -> Result<(), RequestError> {
         let (target, _) = self.parts()?;
         let result = target.ask(request).map(|_| ());
         self.watching.live.written();

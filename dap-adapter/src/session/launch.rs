@@ -35,6 +35,7 @@ impl Session {
             first_column: i64::from(says("columnsStartAt1", true)),
             invalidated: says("supportsInvalidatedEvent", false),
             progress: says("supportsProgressReporting", false),
+            menus: request.arguments["clientID"] == "vscode",
         };
         self.phase = Phase::Initialized;
         body(&capabilities())
@@ -85,6 +86,7 @@ impl Session {
             self.start_program()?;
             None
         } else {
+            self.tell_forced()?;
             self.held_at_attach()?
         };
         self.phase = Phase::Running;
@@ -105,13 +107,15 @@ impl Session {
     /// Starts the PLC from power-on.
     fn start_program(&mut self) -> Result<(), RequestError> {
         self.end_program()?;
+        let forces = self.forcing.is_active();
         let (target, debuggee) = self.parts()?;
         let How::Launch(arguments) = &debuggee.how else { return Ok(()) };
         let stop_on_entry = arguments.stop_on_entry && !arguments.no_debug;
         debuggee.stop = None;
         debuggee.fault = None;
         target.forget_stops();
-        target.ask(Ask::Start { cold: true, stop_on_entry }).map(|_| ())
+        target.ask(Ask::Start { cold: true, stop_on_entry: stop_on_entry || forces })?;
+        if forces { self.force_at_start(stop_on_entry) } else { Ok(()) }
     }
 
     /// Ends a program that is running, so that it can be started again.
@@ -254,6 +258,7 @@ impl Session {
     pub(super) fn leave_target(&mut self, stop: Option<bool>) {
         let launched = self.debuggee.as_ref().is_some_and(|d| matches!(d.how, How::Launch(_)));
         self.again = None;
+        self.let_forces_go();
         if let Some(mut target) = self.target.take() {
             target.goodbye(stop.unwrap_or(launched));
         }
@@ -277,6 +282,7 @@ impl Session {
             Timer::ReleaseKey(key) => self.release_key(key),
             Timer::FaultWithoutDetails => self.announce_fault(),
             Timer::Overruns => self.tell_overruns(),
+            Timer::Forced => self.tell_forced_at_stop(),
             Timer::GiveUpTerminate if self.terminating => {
                 self.terminating = false;
                 self.complain(

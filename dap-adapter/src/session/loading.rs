@@ -231,6 +231,7 @@ fn debuggee(project: BuiltProject, plc: PlcState, how: How) -> Debuggee {
     let debug = Arc::new(project.image.debug.clone().unwrap_or_default());
     let map = SourceMap::new(&project.root, &program, &debug, project.encoding);
     let machine = program.code.iter().any(|op| matches!(op, Op::Assembler { .. } | Op::AssemblerJump { .. }));
-    let tree = Tree::new(&debug, &ports::used(&program, &debug), machine);
-    Debuggee { how, project, program, debug, map, tree, plc, stop: None, fault: None }
+    let ports = ports::used(&program, &debug);
+    let tree = Tree::new(&debug, &ports, machine);
+    Debuggee { how, project, program, debug, map, ports, tree, plc, stop: None, fault: None }
 }

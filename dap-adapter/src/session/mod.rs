@@ -7,6 +7,7 @@
 mod breakpoints;
 mod evaluate;
 mod execution;
+mod forcing;
 mod inspect;
 mod launch;
 mod loading;
@@ -38,6 +39,7 @@ use crate::arguments::{LaunchArguments, LinkArguments};
 use crate::connection::{Connector, TargetSpec};
 use crate::errors::RequestError;
 use crate::outbox::Outbox;
+use crate::ports::Ports;
 use crate::project::{Builder, BuiltProject};
 use crate::request::Request;
 use crate::source_map::SourceMap;
@@ -46,6 +48,7 @@ use crate::transport::Incoming;
 use crate::tree::Tree;
 
 use breakpoints::Breakpoints;
+use forcing::Forcing;
 pub(crate) use phase::COMMANDS;
 use phase::Phase;
 use reconnect::Again;
@@ -74,6 +77,8 @@ struct ClientTraits {
     first_column: i64,
     invalidated: bool,
     progress: bool,
+    /// It is VS Code, which has menus for variables.
+    menus: bool,
 }
 
 /// Launched or attached.
@@ -90,6 +95,7 @@ struct Debuggee {
     program: Arc<Program>,
     debug: Arc<DebugInfo>,
     map: SourceMap,
+    ports: Ports,
     tree: Tree,
     plc: PlcState,
     stop: Option<Stop>,
@@ -112,6 +118,8 @@ enum Timer {
     FaultWithoutDetails,
     /// Tell how many overruns there were.
     Overruns,
+    /// Tell how many bits are forced.
+    Forced,
 }
 
 /// A debug session.
@@ -135,6 +143,7 @@ pub(crate) struct Session {
     debuggee: Option<Debuggee>,
     breakpoints: Breakpoints,
     watching: Watching,
+    forcing: Forcing,
     break_on_fault: bool,
     threads_announced: HashSet<i64>,
     timers: Vec<(Instant, Timer)>,
@@ -157,7 +166,13 @@ impl Session {
             connector,
             builder,
             phase: Phase::New,
-            client: ClientTraits { first_line: 1, first_column: 1, invalidated: false, progress: false },
+            client: ClientTraits {
+                first_line: 1,
+                first_column: 1,
+                invalidated: false,
+                progress: false,
+                menus: false,
+            },
             after: Vec::new(),
             target: None,
             spec: None,
@@ -166,6 +181,7 @@ impl Session {
             debuggee: None,
             breakpoints: Breakpoints::default(),
             watching: Watching::default(),
+            forcing: Forcing::default(),
             break_on_fault: true,
             threads_announced: HashSet::new(),
             timers: Vec::new(),

@@ -98,6 +98,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     basic("disconnect", ANY, Session::disconnect),
     basic("technol/subscribe", LOADED, Session::subscribe),
     basic("technol/trace", LOADED, Session::trace),
+    basic("technol/force", LOADED, Session::force),
+    basic("technol/forced", LOADED, Session::forced),
 ];
 
 /// Whether the request is possible now.
@@ -173,6 +175,8 @@ x----- initialize
 xxxxxx disconnect
 --xxx- technol/subscribe
 --xxx- technol/trace
+--xxx- technol/force
+--xxx- technol/forced
 ";
         assert_eq!(table, expected);
     }

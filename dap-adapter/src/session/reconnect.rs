@@ -75,6 +75,7 @@ impl Session {
             },
             None if now >= again.until => {
                 let why = again.why.clone();
+                self.leave_forces_behind();
                 self.give_up(&format!("the target did not come back: {why}"));
                 return;
             }
@@ -128,6 +129,8 @@ impl Session {
     fn take_up(&mut self, status: Status) {
         let same = self.debuggee.as_ref().is_some_and(|d| status.program == Some(content_hash(&d.program)));
         if !same {
+            // What was forced went with the program.
+            self.forcing.forget();
             self.give_up(
                 "the target is back, but with another program or none; it was probably switched off and on",
             );
@@ -150,6 +153,7 @@ impl Session {
     /// What a target forgets with its host.
     fn restore(&mut self) -> Result<(), RequestError> {
         self.tell_policy()?;
+        self.force_again()?;
         if self.phase != Phase::Configuring {
             self.arm_breakpoints()?;
         }

@@ -14,7 +14,7 @@ use super::{Session, Timer};
 const KEY_PRESS: Duration = Duration::from_millis(200);
 
 /// Usage and meaning.
-pub(super) const COMMANDS: [(&str, &str); 9] = [
+pub(super) const COMMANDS: [(&str, &str); 12] = [
     ("fault NAME on|off", "switch a fault of the simulated machine"),
     ("press KEY", "press a key of the simulated operator panel for a moment"),
     ("hold KEY", "press a key and hold it down"),
@@ -22,6 +22,9 @@ pub(super) const COMMANDS: [(&str, &str); 9] = [
     ("start MECHANISM", "activate a mechanism"),
     ("stop MECHANISM", "put a mechanism into rest"),
     ("plc start|stop|clear", "start, stop or clear the PLC"),
+    ("force NAME VALUE", "hold a bit (0, 1) or byte (0 to 255) of a port at a value"),
+    ("unforce NAME|all", "hold it no more"),
+    ("forced", "what is forced"),
     ("help", "this list"),
     ("NAME = VALUE", "set a bit, a variable or a register"),
 ];
@@ -36,7 +39,10 @@ impl Session {
         let (word, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
         let rest = rest.trim();
         // A variable may be called like a command: without an argument it is meant.
-        if rest.is_empty() && (!word.eq_ignore_ascii_case("help") || self.is_symbol(word)) {
+        if rest.is_empty()
+            && (!(word.eq_ignore_ascii_case("help") || word.eq_ignore_ascii_case("forced"))
+                || self.is_symbol(word))
+        {
             return Ok(None);
         }
         let said = match word.to_ascii_lowercase().as_str() {
@@ -47,6 +53,13 @@ impl Session {
             "release" => self.key(rest, false, "released")?,
             "start" | "stop" => self.switch_mechanism(rest, word.eq_ignore_ascii_case("start"))?,
             "plc" => self.plc(rest)?,
+            "force" => {
+                let (name, value) = rest.rsplit_once(char::is_whitespace).ok_or_else(|| usage(7))?;
+                self.force_named(order, name.trim(), value)?
+            }
+            "unforce" if rest.eq_ignore_ascii_case("all") => self.unforce_all()?,
+            "unforce" => self.unforce(order, rest)?,
+            "forced" if rest.is_empty() => self.list_forced()?,
             _ => return Ok(None),
         };
         Ok(Some(said))

@@ -86,6 +86,7 @@ impl Session {
         self.phase = Phase::Stopped;
         let events = self.stop_events(&stopped, text);
         self.after.extend(events);
+        self.tell_forced_soon(stopped.reason);
     }
 
     /// `thread` (where it is new) and `stopped`.
@@ -200,6 +201,7 @@ impl Session {
             return;
         }
         self.important(&format!("the link to the target is lost: {why}"));
+        self.leave_forces_behind();
         let asked_for = std::mem::take(&mut self.terminating);
         self.end(Some(i64::from(!asked_for)));
     }

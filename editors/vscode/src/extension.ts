@@ -7,6 +7,7 @@ import { LanguageClient, type LanguageClientOptions, type ServerOptions } from "
 import { type Binary, findBinary } from "./binary";
 import { ADAPTER_ARGUMENTS, SERVER_ARGUMENTS, TASK_COMMANDS, type TaskDefinition, initializationOptions, taskArguments } from "./commandLine";
 import { complete } from "./debugConfiguration";
+import { registerForceMenu } from "./forceMenu";
 import { registerLiveViews } from "./liveViews";
 
 /** The running language server and the program it came from. */
@@ -25,6 +26,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     }),
   );
   registerLiveViews(context);
+  registerForceMenu(context);
   await startServer();
 }
 

@@ -15,6 +15,7 @@ mod attach;
 mod breakpoints;
 mod child;
 mod console;
+mod forcing;
 mod machine_registers;
 #[cfg(unix)]
 mod noise;

@@ -15,6 +15,7 @@ mod lathe;
 mod patient;
 
 mod bars;
+mod forcing;
 mod killed;
 mod probe;
 mod session;

@@ -24,19 +24,19 @@ const THINKING: u64 = 200_000;
 const REGISTERS: Option<u8> = Some(10);
 const CALL_STACK: Option<u8> = Some(15);
 
-fn editor(shared: &Shared) -> Client {
+pub(crate) fn editor(shared: &Shared) -> Client {
     let surroundings = Surroundings { connector: Arc::new(shared.clone()), builder: Arc::new(FileBuilder) };
     let mut client = Client::in_process(&surroundings).expect("an adapter");
     client.set_patience(Duration::from_secs(60));
     client
 }
 
-fn lathe_machine(lathe: &Lathe) -> TargetOptions {
+pub(crate) fn lathe_machine(lathe: &Lathe) -> TargetOptions {
     let machine = technol_target::load_machine(std::path::Path::new(&lathe.path("machine.toml")));
     TargetOptions { machine: Some(machine.expect("the lathe has one")), ..TargetOptions::default() }
 }
 
-fn launch(lathe: &Lathe) -> Value {
+pub(crate) fn launch(lathe: &Lathe) -> Value {
     json!({
         "program": lathe.folder(), "target": "serial:modelled", "onLinkLost": "stayStopped", "reconnect": 60,
     })

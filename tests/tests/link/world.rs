@@ -11,7 +11,8 @@ use technol_wire::message::Limits;
 use technol_wire::{FrameDecoder, Timing};
 
 /// What a serial line at 115200 baud takes.
-const LIMITS: Limits = Limits { max_payload: 240, max_read: 2048, max_breakpoints: 256, window: 8 };
+pub(crate) const LIMITS: Limits =
+    Limits { max_payload: 240, max_read: 2048, max_breakpoints: 256, window: 8 };
 
 /// A frame as it passed the host's end, with the virtual microsecond. Of the target's, when it was sent is noted too.
 #[derive(Clone, Debug)]

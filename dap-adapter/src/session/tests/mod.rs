@@ -1,6 +1,7 @@
 //! Whole sessions: a client, the adapter, the protocol, and a scripted target.
 
 mod breakpoints;
+mod forcing;
 mod inspecting;
 mod lifecycle;
 mod robustness;
