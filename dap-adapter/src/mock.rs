@@ -13,7 +13,7 @@ use technol_wire::message::{
     BreakpointState, Event, Failure, Frame, Limits, PROTOCOL_VERSION, PlcState, Registers, Request, Response,
     SequenceState, Status, StopReason, Stopped, feature,
 };
-use technol_wire::{MechanismSample, SampleSource, TargetInput, TargetSession, TraceSample};
+use technol_wire::{MechanismSample, Ran, SampleSource, TargetInput, TargetSession, TraceSample};
 
 use crate::arguments::Policy;
 use crate::connection::{ByteLink, Connector, TargetSpec};
@@ -278,7 +278,11 @@ impl SampleSource for State {
 
     fn traced(&self, pc: u32) -> TraceSample {
         TraceSample {
-            ran: pc == sample::pc(20),
+            ran: match pc {
+                _ if pc == sample::pc(20) => Ran::Now,
+                _ if pc == sample::pc(21) => Ran::Before,
+                _ => Ran::Never,
+            },
             rlo: true,
             dr: i64::from(self.memory[sample::COUNT as usize]),
         }
@@ -297,7 +301,9 @@ impl State {
             },
             Request::Status => Response::Status(self.status),
             Request::OnLinkLost(_) => Response::Done,
-            Request::Echo { .. } | Request::Files(_) => Response::Failed(Failure::Unsupported),
+            Request::Echo { .. } | Request::Files(_) | Request::MachineRegisters => {
+                Response::Failed(Failure::Unsupported)
+            }
             Request::Download { len, .. } => {
                 self.announced = vec![0; len as usize];
                 Response::Done

@@ -2,7 +2,7 @@
 
 use technol_analysis::expression::{self, RegisterChange, RegisterValues};
 use technol_image::op::{STACK_DEPTH, Width};
-use technol_wire::message::Registers;
+use technol_wire::message::{MachineRegisters, Registers};
 
 use crate::values;
 
@@ -26,6 +26,39 @@ pub(crate) const ALL: [(&str, Register); 8] = [
     ("BX", Register::Bx),
     ("Equation stack", Register::Stack),
 ];
+
+/// A register of the 80386 that is none of the PLC: EBX is BX, ECX and EDX are the halves of DR.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MachineRegister {
+    Eax,
+    Flags,
+}
+
+pub(crate) const MACHINE: [(&str, MachineRegister); 2] =
+    [("EAX", MachineRegister::Eax), ("Flags", MachineRegister::Flags)];
+
+/// The flags that instructions set and conditional jumps ask, at their places in EFLAGS.
+const FLAGS: [(u16, &str); 5] = [(1, "CF"), (4, "PF"), (0x40, "ZF"), (0x80, "SF"), (0x800, "OF")];
+
+impl MachineRegister {
+    pub(crate) fn type_name(self) -> &'static str {
+        match self {
+            MachineRegister::Eax => "DWRD",
+            MachineRegister::Flags => "bits",
+        }
+    }
+
+    pub(crate) fn show(self, registers: MachineRegisters, hex: bool) -> String {
+        match self {
+            MachineRegister::Eax => values::register(u64::from(registers.eax), Width::DWord, hex),
+            MachineRegister::Flags => {
+                let set = FLAGS.iter().filter(|(mask, _)| registers.flags & mask != 0);
+                let names: Vec<&str> = set.map(|(_, name)| *name).collect();
+                if names.is_empty() { "none".into() } else { names.join(" ") }
+            }
+        }
+    }
+}
 
 impl Register {
     pub(crate) fn type_name(self) -> &'static str {
@@ -112,6 +145,17 @@ mod tests {
                 "Equation stack = 3 pushed",
             ]
         );
+    }
+
+    #[test]
+    fn flags_are_told_by_name_and_eax_as_a_number() {
+        let shown = |flags, register: MachineRegister| {
+            register.show(MachineRegisters { eax: 0x1_4000, flags }, false)
+        };
+        assert_eq!(shown(0, MachineRegister::Eax), "81920 (00014000h)");
+        assert_eq!(shown(0, MachineRegister::Flags), "none");
+        assert_eq!(shown(0x8C5, MachineRegister::Flags), "CF PF ZF SF OF");
+        assert_eq!(shown(0x40, MachineRegister::Flags), "ZF");
     }
 
     #[test]

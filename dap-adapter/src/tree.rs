@@ -6,7 +6,7 @@ use technol_image::debug_info::{DebugInfo, Scope, Symbol, SymbolKind};
 use technol_image::op::{Addr, Width};
 
 use crate::ports::{self, Port, Ports};
-use crate::registers::Register;
+use crate::registers::{MachineRegister, Register};
 use crate::values;
 
 /// Something that has children.
@@ -51,6 +51,8 @@ pub(crate) enum Shown {
         len: u32,
     },
     Register(Register),
+    /// A register of the 80386.
+    Machine(MachineRegister),
     /// A value of the equation stack, 0 = top.
     Pushed(usize),
     Mechanism(u16),
@@ -95,6 +97,7 @@ impl Row {
             Shown::Text { len, .. } => format!("STR {len}"),
             Shown::Area { len, .. } => format!("DS {len}"),
             Shown::Register(register) => register.type_name().into(),
+            Shown::Machine(register) => register.type_name().into(),
             Shown::Mechanism(_) => "mechanism".into(),
             Shown::Detail(..) => "text".into(),
         }
@@ -114,7 +117,8 @@ pub(crate) struct Tree {
 }
 
 impl Tree {
-    pub(crate) fn new(debug: &DebugInfo, ports: &Ports) -> Self {
+    /// `machine`: whether the registers of the 80386 belong to it, because the program has such instructions.
+    pub(crate) fn new(debug: &DebugInfo, ports: &Ports, machine: bool) -> Self {
         let mut rows = HashMap::new();
         let by_scope =
             |scope: Scope| debug.symbols.iter().filter(move |s| s.scope == scope).collect::<Vec<_>>();
@@ -136,7 +140,13 @@ impl Tree {
             shown: Shown::Register(*register),
             children: (*register == Register::Stack).then_some(Node::Stack),
         });
-        rows.insert(Node::Registers, registers.collect());
+        let machine = crate::registers::MACHINE.iter().filter(|_| machine).map(|(name, register)| Row {
+            name: (*name).into(),
+            expression: None,
+            shown: Shown::Machine(*register),
+            children: None,
+        });
+        rows.insert(Node::Registers, registers.chain(machine).collect());
         Tree { rows, handles: Vec::new(), numbers: HashMap::new() }
     }
 
@@ -307,7 +317,7 @@ mod tests {
     fn tree() -> Tree {
         let image = sample::image();
         let debug = image.debug.as_ref().unwrap();
-        Tree::new(debug, &ports::used(&image.program, debug))
+        Tree::new(debug, &ports::used(&image.program, debug), false)
     }
 
     fn names(tree: &Tree, node: Node) -> Vec<String> {

@@ -34,6 +34,9 @@ impl TargetCore {
             Request::Registers => {
                 self.loaded().map(|s| Response::Registers(convert::registers(s.runtime().registers())))
             }
+            Request::MachineRegisters => self
+                .loaded()
+                .map(|s| Response::MachineRegisters(convert::machine_registers(s.runtime().registers()))),
             Request::SetRegisters(registers) => self.set_registers(registers),
             Request::Read { pieces } => self.read(&pieces, limits),
             Request::Write { addr, bytes } => self.write(addr, &bytes),
@@ -88,6 +91,7 @@ impl TargetCore {
                 | feature::ECHO
                 | feature::RESUMED_DOWNLOAD
                 | feature::STREAMS
+                | feature::MACHINE_REGISTERS
                 | files,
         }
     }

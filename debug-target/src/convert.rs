@@ -24,6 +24,10 @@ pub(crate) fn registers(r: runtime::Registers) -> wire::Registers {
     wire::Registers { rlo: r.rlo, dr: r.dr, dr_real: r.dr_real, bx: r.bx, stack: r.stack, depth: r.depth }
 }
 
+pub(crate) fn machine_registers(r: runtime::Registers) -> wire::MachineRegisters {
+    wire::MachineRegisters { eax: r.whole_eax(), flags: r.flags }
+}
+
 /// What the host does not know stays as it is `now`.
 pub(crate) fn registers_back(r: wire::Registers, now: runtime::Registers) -> runtime::Registers {
     let wire::Registers { rlo, dr, dr_real, bx, stack, depth } = r;

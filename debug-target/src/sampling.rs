@@ -2,7 +2,7 @@
 
 use technol_runtime::{SequenceState, TraceEntry};
 use technol_wire::message::{Failure, Subject, Subscription};
-use technol_wire::{MechanismSample, SampleSource, Streams, TraceSample};
+use technol_wire::{MechanismSample, Ran, SampleSource, Streams, TraceSample};
 
 use crate::simulation::Simulation;
 
@@ -77,7 +77,7 @@ impl SampleSource for Seen<'_> {
         let at = self.with.traced.binary_search_by_key(&pc, |entry| entry.pc);
         let last = at.ok().and_then(|at| self.with.traced.get(at)?.last);
         last.map_or_else(TraceSample::default, |last| TraceSample {
-            ran: last.ran,
+            ran: if last.ran { Ran::Now } else { Ran::Before },
             rlo: last.rlo,
             dr: last.dr,
         })

@@ -35,6 +35,7 @@ pub(crate) struct Reading {
 /// The registers behind a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Line {
+    /// In the last cycle; if not, the registers are those of the time when it did.
     pub(crate) ran: bool,
     pub(crate) rlo: bool,
     pub(crate) dr: u32,
@@ -178,14 +179,15 @@ impl Live {
         None
     }
 
-    /// The registers behind the line that begins with this operation.
-    pub(crate) fn line(&self, pc: u32) -> Option<Told<Line>> {
+    /// The registers behind the line that begins with this operation; none if it did not run since it is traced.
+    pub(crate) fn line(&self, pc: u32) -> Option<Told<Option<Line>>> {
         for stream in self.streams.values() {
             let Subject::Trace { pcs, .. } = &stream.subscription.subject else { continue };
             let Some(at) = pcs.iter().position(|n| *n == pc) else { continue };
             let sample = stream.sample.as_ref()?;
-            let [ran, rlo, dr] = sample.values.get(at * 3..at * 3 + 3)? else { return None };
-            let value = Line { ran: *ran == 1, rlo: *rlo == 1, dr: *dr as u32 };
+            let [known, ran, rlo, dr] = sample.values.get(at * 4..at * 4 + 4)? else { return None };
+            let line = Line { ran: *ran == 1, rlo: *rlo == 1, dr: *dr as u32 };
+            let value = (*known == 1).then_some(line);
             return Some(Told { value, stale: stream.stale, cycle: sample.cycle });
         }
         None

@@ -7,7 +7,7 @@ use dap::types::{InvalidatedAreas, ValueFormat, Variable, VariablesArgumentsFilt
 
 use technol_analysis::expression::{Assignment, RegisterChange, ValueError};
 use technol_image::op::{Addr, Width};
-use technol_wire::message::{Registers, Request as Ask, Response, SequenceState};
+use technol_wire::message::{MachineRegisters, Registers, Request as Ask, Response, SequenceState, feature};
 
 use crate::errors::RequestError;
 use crate::expression;
@@ -29,6 +29,7 @@ const PREVIEW: u32 = 16;
 struct Facts {
     memory: MemoryView,
     registers: Option<Registers>,
+    machine: Option<MachineRegisters>,
     sequences: Vec<SequenceState>,
 }
 
@@ -131,7 +132,7 @@ impl Session {
     fn facts(&mut self, rows: &[Row]) -> Result<Facts, RequestError> {
         let mut plan = ReadPlan::default();
         let mut known = Vec::new();
-        let (mut registers, mut sequences) = (false, false);
+        let (mut registers, mut machine, mut sequences) = (false, false, false);
         for row in rows {
             match row.shown {
                 Shown::Bit { addr, .. } => self.want(addr, 1, &mut plan, &mut known),
@@ -139,6 +140,7 @@ impl Session {
                 Shown::Text { addr, len } => plan.want(addr, len),
                 Shown::Area { addr, len } => plan.want(addr, len.min(PREVIEW)),
                 Shown::Register(_) | Shown::Pushed(_) => registers = true,
+                Shown::Machine(_) => machine = true,
                 Shown::Mechanism(_) | Shown::Detail(..) => sequences = true,
             }
         }
@@ -153,6 +155,7 @@ impl Session {
         Ok(Facts {
             memory,
             registers: if registers { Some(self.registers()?) } else { None },
+            machine: if machine { self.machine_registers()? } else { None },
             sequences: if sequences { self.sequences()? } else { Vec::new() },
         })
     }
@@ -191,6 +194,18 @@ impl Session {
         }
     }
 
+    /// The registers of the 80386; none from a target that does not tell them.
+    fn machine_registers(&mut self) -> Result<Option<MachineRegisters>, RequestError> {
+        let (target, _) = self.parts()?;
+        if target.features() & feature::MACHINE_REGISTERS == 0 {
+            return Ok(None);
+        }
+        match target.ask(Ask::MachineRegisters)? {
+            Response::MachineRegisters(registers) => Ok(Some(registers)),
+            _ => Err(RequestError::Refused("it did not tell the registers of the 80386".into())),
+        }
+    }
+
     /// Sets something and answers what it shows then.
     pub(super) fn set(
         &mut self,
@@ -210,6 +225,9 @@ impl Session {
             }
             Shown::Pushed(_) | Shown::Register(Register::Stack) => {
                 return read_only("the equation would not balance");
+            }
+            Shown::Machine(_) => {
+                return read_only("it belongs to instructions of the 80386; set RLO, DR or BX instead");
             }
             Shown::Area { .. } => return read_only("it is an area; set its bytes one by one"),
             Shown::Bit { .. } | Shown::Cell { .. } | Shown::Text { .. } | Shown::Register(_) => {}
@@ -309,6 +327,9 @@ fn plain_text(shown: &Shown, facts: &Facts, hex: bool) -> String {
             format!("{len} bytes: {}{more}", shown.join(" "))
         }
         Shown::Register(register) => facts.registers.map_or_else(String::new, |r| register.show(&r, hex)),
+        Shown::Machine(register) => {
+            facts.machine.map_or_else(|| "this target does not tell it".into(), |r| register.show(r, hex))
+        }
         Shown::Pushed(n) => {
             let pushed = facts.registers.map(|r| registers::stack(&r)).unwrap_or_default();
             pushed.get(n).map_or_else(String::new, |b| values::bit(*b))

@@ -8,6 +8,7 @@ use dap::events::{Event, ProgressEndEventBody, ProgressStartEventBody, ProgressU
 use dap::types::OutputEventCategory;
 
 use technol_image::container::{content_hash, encode_program};
+use technol_image::op::Op;
 use technol_image::program::ContentHash;
 use technol_wire::message::{PROTOCOL_VERSION, PlcState, Request as Ask, Response, Status};
 
@@ -229,7 +230,8 @@ fn debuggee(project: BuiltProject, plc: PlcState, how: How) -> Debuggee {
     let program = Arc::new(project.image.program.clone());
     let debug = Arc::new(project.image.debug.clone().unwrap_or_default());
     let map = SourceMap::new(&project.root, &program, &debug, project.encoding);
+    let machine = program.code.iter().any(|op| matches!(op, Op::Assembler { .. } | Op::AssemblerJump { .. }));
     let ports = ports::used(&program, &debug);
-    let tree = Tree::new(&debug, &ports);
+    let tree = Tree::new(&debug, &ports, machine);
     Debuggee { how, project, program, debug, map, ports, tree, plc, stop: None, fault: None }
 }

@@ -81,7 +81,7 @@ fn read(memory: &Memory, regs: &Registers, width: Width, operand: Operand) -> Re
 
 fn whole(regs: &Registers, general: General) -> u32 {
     match general {
-        General::A => regs.eax & !RLO | if regs.rlo { RLO } else { 0 },
+        General::A => regs.whole_eax(),
         General::B => regs.bx,
         General::C => regs.dr as u32,
         General::D => (regs.dr >> 32) as u32,

@@ -2,6 +2,7 @@
 
 use technol_image::op::{STACK_DEPTH, Width};
 
+use crate::assembler::RLO;
 use crate::fault::FaultKind;
 
 /// Register set of one activation.
@@ -27,6 +28,12 @@ pub struct Registers {
 }
 
 impl Registers {
+    /// EAX as 80386 instructions see it: with RLO as bit 4000h.
+    #[must_use]
+    pub fn whole_eax(&self) -> u32 {
+        self.eax & !RLO | if self.rlo { RLO } else { 0 }
+    }
+
     /// Puts RLO on the equation stack.
     #[inline]
     pub(crate) fn push(&mut self) -> Result<(), FaultKind> {

@@ -138,18 +138,18 @@ fn streams(host: &mut Host) {
     let trace = Subject::Trace { pcs: vec![LOAD, ADD], wide: false };
     host.tell(Request::Subscribe(Subscription { id: 2, period: 2, subject: trace }));
     host.sample("ten samples", |s| (s.id == 1 && s.values[2] >= 10).then_some(()));
-    host.sample("a trace", |s| (s.id == 2 && s.values[3] == 1).then_some(()));
+    host.sample("a trace", |s| (s.id == 2 && s.values[4] == 1).then_some(()));
     let difference = |s: &Sample| u64::from(s.cycle).wrapping_sub(s.values[0]) & 0xFFFF;
     let first = host.samples.iter().find(|s| s.id == 1).map(difference);
     for sample in &host.samples {
         let own = if sample.id == 1 {
             difference(sample)
         } else {
-            u64::from(sample.cycle).wrapping_sub(sample.values[5])
+            u64::from(sample.cycle).wrapping_sub(sample.values[7])
         };
         assert_eq!(Some(own & 0xFFFF), first, "{sample:?}");
         if sample.id == 2 {
-            assert_eq!(sample.values[2] + 1, sample.values[5], "DR behind LOAD and behind ADD");
+            assert_eq!(sample.values[3] + 1, sample.values[7], "DR behind LOAD and behind ADD");
         }
     }
     // A stop is shown as well, and what is written then.

@@ -14,7 +14,7 @@ pub use crate::remote_files::{Entry, FileAnswer, FileRequest};
 pub const PROTOCOL_VERSION: u16 = 1;
 
 /// Number of [`Request`] variants of this version; higher variant numbers are of a later version.
-pub const KNOWN_REQUESTS: u32 = 26;
+pub const KNOWN_REQUESTS: u32 = 27;
 
 /// What a target can do beyond the first version of this protocol: bits of `features` in [`Response::Hello`]. A host
 /// asks for such a thing only when its bit is set, and passes over bits that it does not know.
@@ -29,6 +29,8 @@ pub mod feature {
     pub const RESUMED_DOWNLOAD: u32 = 1 << 3;
     /// [`Request::Subscribe`](super::Request::Subscribe).
     pub const STREAMS: u32 = 1 << 4;
+    /// [`Request::MachineRegisters`](super::Request::MachineRegisters).
+    pub const MACHINE_REGISTERS: u32 = 1 << 5;
 }
 
 /// First 16 bytes of the SHA-256 of the encoded program.
@@ -148,6 +150,8 @@ pub enum Request {
     },
     /// Something about files at the target.
     Files(FileRequest),
+    /// Reads the registers of the 80386 that are no registers of the PLC; answered with [`Response::MachineRegisters`].
+    MachineRegisters,
 }
 
 /// What becomes of a held program when its host is lost.
@@ -224,6 +228,8 @@ pub enum Response {
     },
     /// To [`Request::Files`].
     Files(FileAnswer),
+    /// To [`Request::MachineRegisters`].
+    MachineRegisters(MachineRegisters),
 }
 
 /// Why a request failed.
@@ -339,6 +345,15 @@ pub struct Frame {
     pub sequence: Option<u16>,
     /// Module kind index.
     pub module: u8,
+}
+
+/// Registers of the 80386 that are no registers of the PLC. EBX is BX, ECX and EDX are the halves of DR.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MachineRegisters {
+    /// EAX, with RLO as bit 4000h.
+    pub eax: u32,
+    /// Flags at their places in EFLAGS: carry 1, parity 4, zero 40h, sign 80h, overflow 800h.
+    pub flags: u16,
 }
 
 /// Registers.

@@ -33,6 +33,8 @@ export interface TracedLine {
   ran?: boolean;
   value?: string;
   stale?: boolean;
+  /** Why it cannot be traced: there is no instruction on it. */
+  error?: string;
 }
 
 /** Body of the event `technol/trace`. */
@@ -59,7 +61,20 @@ export function watchText(watch: Watch): string {
 
 /** The text behind a traced line; a line that did not run in the last cycle shows what it left behind in grey. */
 export function traceText(line: TracedLine): { text: string; faint: boolean } {
-  return { text: line.value === undefined ? "has not run" : line.value, faint: line.ran !== true || line.stale === true };
+  return { text: line.error !== undefined ? "" : line.value ?? "…", faint: line.ran !== true || line.stale === true };
+}
+
+/** What `technol/trace` answers: lines that cannot be traced have an error. */
+export interface TraceAnswer {
+  lines: { path: string; line: number; error?: string | null }[];
+}
+
+/** The traced lines with what was answered about each. */
+export function withErrors(traced: readonly TracedLine[], answered: TraceAnswer["lines"]): TracedLine[] {
+  return traced.map((it) => {
+    const about = answered.find((line) => line.path === it.path && line.line === it.line);
+    return about === undefined ? it : { ...it, error: about.error ?? undefined };
+  });
 }
 
 /** The lines traced after `changed` lines (1-based) of a file were chosen: traced if none of them was, else not. */

@@ -1,7 +1,10 @@
 // The view "Live" of the debug side bar, and the registers behind traced lines in the editor.
 
 import * as vscode from "vscode";
-import { MODES, type Mechanism, type Mode, type TraceEvent, type TracedLine, type Watch, type WatchEvent, type Wish, addWish, toggleLines, traceText, watchText } from "./live";
+import {
+  MODES, addWish, toggleLines, traceText, watchText, withErrors, type Mechanism, type Mode, type TraceAnswer, type TraceEvent,
+  type TracedLine, type Watch, type WatchEvent, type Wish,
+} from "./live";
 
 const WISHES = "technol.live.wishes";
 /** Milliseconds between two values. */
@@ -124,14 +127,18 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
   private async trace(lines: TracedLine[]): Promise<void> {
     this.traced = lines;
     this.decorate();
-    await this.ask("technol/trace", { lines: lines.map(({ path, line }) => ({ path, line })) });
+    const answer = await this.ask<TraceAnswer>("technol/trace", { lines: lines.map(({ path, line }) => ({ path, line })) });
+    // Answers come in the order of their requests, but the list may be another one by now.
+    this.traced = withErrors(this.traced, answer?.lines ?? []);
+    this.decorate();
   }
 
-  private async ask(command: string, body: object): Promise<void> {
+  private async ask<T>(command: string, body: object): Promise<T | undefined> {
     try {
-      await this.session?.customRequest(command, body);
+      return (await this.session?.customRequest(command, body)) as T | undefined;
     } catch (error) {
       void vscode.window.showWarningMessage(error instanceof Error ? error.message : String(error));
+      return undefined;
     }
   }
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addWish, toggleLines, traceText, watchText } from "../src/live";
+import { addWish, toggleLines, traceText, watchText, withErrors } from "../src/live";
 
 test("a watch shows its value, what it was in between, and what is wrong with it", () => {
   assert.equal(watchText({ expression: "A", value: "300 (012Ch)" }), "300 (012Ch)");
@@ -16,7 +16,17 @@ test("a traced line that did not run, or may be old, is faint", () => {
   assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5", stale: false }), { text: "RLO 1  DR 5", faint: false });
   assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5 ?", stale: true }), { text: "RLO 1  DR 5 ?", faint: true });
   assert.deepEqual(traceText({ ...line, ran: false, value: "RLO 0  DR 5", stale: false }), { text: "RLO 0  DR 5", faint: true });
-  assert.deepEqual(traceText(line), { text: "has not run", faint: true });
+  assert.deepEqual(traceText({ ...line, ran: false, value: "has not run" }), { text: "has not run", faint: true });
+  assert.deepEqual(traceText(line), { text: "…", faint: true });
+  assert.deepEqual(traceText({ ...line, error: "there is no instruction on this line" }), { text: "", faint: true });
+});
+
+test("lines without an instruction show nothing", () => {
+  const traced = toggleLines([], "/a.plc", [3, 4]);
+  const error = "there is no instruction on this line";
+  const told = withErrors(traced, [{ path: "/a.plc", line: 3, error: null }, { path: "/a.plc", line: 4, error }]);
+  assert.deepEqual(told.map((it) => traceText(it).text), ["…", ""]);
+  assert.deepEqual(withErrors(told, [{ path: "/a.plc", line: 4, error: null }]).map((it) => traceText(it).text), ["…", "…"]);
 });
 
 test("lines are traced and, chosen again, not any more", () => {

@@ -13,6 +13,7 @@ mod breakpoints;
 mod child;
 mod console;
 mod forcing;
+mod machine_registers;
 mod session;
 mod trouble;
 mod watching;

@@ -38,14 +38,19 @@ fn watch(site: &Site, lathe: &Lathe) {
     let value = client.evaluate("CYCLES", "watch").expect("a value");
     assert!(number(&json!(value)) >= number(&later["watches"][0]["value"]));
 
-    // The line that counts, behind it DR.
+    // The line that counts, behind it DR; one that only an emergency stop reaches has nothing to show.
     let (path, line) = (lathe.path("main.plc"), lathe.line("main.plc", "LOD  CYCLES"));
-    let lines = json!({ "lines": [{ "path": path, "line": line }] });
+    let unreached = lathe.line("main.plc", "FL   1,STOP_EMERGENCY_REQ");
+    let lines = json!({ "lines": [{ "path": path, "line": line }, { "path": path, "line": unreached }] });
     let answer = client.request("technol/trace", lines).expect("a trace");
     assert_eq!(answer["lines"][0]["error"], Value::Null, "{answer}");
     let ran = |b: &Value| b["lines"][0]["ran"] == true;
     let body = client.event_where(Mark::START, "technol/trace", ran).expect("registers");
     assert!(body["lines"][0]["value"].as_str().expect("text").starts_with("RLO "), "{body}");
+    assert_eq!(
+        [&body["lines"][1]["ran"], &body["lines"][1]["value"]],
+        [&json!(false), &json!("has not run")]
+    );
 
     let body = client.go("pause", 1).expect("a pause");
     assert_eq!(body["reason"], "pause");

@@ -227,7 +227,7 @@ impl Session {
             Ok(Named::Thing(Shown::Cell { addr, width })) => {
                 What::Item { item: item(addr, kind(width, asked.mode), asked.mode), width: Some(width) }
             }
-            Ok(Named::Thing(Shown::Register(_) | Shown::Pushed(_))) => {
+            Ok(Named::Thing(Shown::Register(_) | Shown::Machine(_) | Shown::Pushed(_))) => {
                 What::Wrong("a register changes with each line; trace a line to see it".into())
             }
             Ok(Named::Thing(Shown::Text { .. } | Shown::Area { .. })) => {

@@ -77,10 +77,16 @@ impl Session {
             let mut shown = json!({ "path": line.path, "line": line.line });
             let told: Vec<_> = line.pcs.iter().filter_map(|pc| live.line(*pc)).collect();
             // The last statement of the line that ran says how the line ended.
-            if let Some(last) = told.iter().rev().find(|t| t.value.ran).or(told.last()) {
-                shown["ran"] = json!(last.value.ran);
-                let dr = values::register(u64::from(last.value.dr), Width::DWord, false);
-                let text = format!("RLO {}  DR {dr}", u8::from(last.value.rlo));
+            let ran = |now: bool| told.iter().rev().find(move |t| t.value.is_some_and(|l| l.ran || !now));
+            if let Some(last) = ran(true).or_else(|| ran(false)).or(told.last()) {
+                shown["ran"] = json!(last.value.is_some_and(|line| line.ran));
+                let text = last.value.map_or_else(
+                    || "has not run".to_owned(),
+                    |line| {
+                        let dr = values::register(u64::from(line.dr), Width::DWord, false);
+                        format!("RLO {}  DR {dr}", u8::from(line.rlo))
+                    },
+                );
                 put(&mut shown, Some(told_as(last, text)));
             }
             shown

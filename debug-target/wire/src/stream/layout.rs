@@ -50,7 +50,7 @@ impl Layout {
             }
             Subject::Trace { pcs, wide } => {
                 let dr = if *wide { 64 } else { 32 };
-                widths = pcs.iter().flat_map(|_| [1, 1, dr]).collect();
+                widths = pcs.iter().flat_map(|_| [1, 1, 1, dr]).collect();
             }
         }
         Ok(Layout { widths, extremes })
@@ -148,7 +148,7 @@ mod tests {
             Ok(vec![1, 16, 16, 16, 16, 16, 64, 32])
         );
         assert_eq!(of(Subject::Mechanisms(vec![3, 1])), Ok(vec![1, 16, 16, 32, 1, 16, 16, 32]));
-        assert_eq!(of(Subject::Trace { pcs: vec![5], wide: true }), Ok(vec![1, 1, 64]));
+        assert_eq!(of(Subject::Trace { pcs: vec![5], wide: true }), Ok(vec![1, 1, 1, 64]));
     }
 
     #[test]

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 pub use host::Freshness;
 pub(crate) use host::Listener;
 pub use layout::Layout;
-pub use target::{MechanismSample, SampleSource, Streams, TraceSample};
+pub use target::{MechanismSample, Ran, SampleSource, Streams, TraceSample};
 
 /// What a stream told.
 #[derive(Clone, Debug, PartialEq, Eq)]

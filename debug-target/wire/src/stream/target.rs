@@ -34,11 +34,23 @@ pub struct MechanismSample {
     pub entered: u32,
 }
 
+/// When a traced line ran last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ran {
+    /// Not since it is traced.
+    #[default]
+    Never,
+    /// Before the last cycle.
+    Before,
+    /// In the last cycle.
+    Now,
+}
+
 /// Registers behind a line, for a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TraceSample {
-    /// The line ran in the last cycle. If not, the registers are those of the time when it did.
-    pub ran: bool,
+    /// When the line ran: the registers are those of that time, and nothing when it did not.
+    pub ran: Ran,
     /// RLO.
     pub rlo: bool,
     /// DR.
@@ -111,9 +123,11 @@ impl Stream {
                 }
             }
             Sampler::Trace(pcs) => {
-                for (pc, values) in pcs.iter().zip(self.values.chunks_exact_mut(3)) {
+                for (pc, values) in pcs.iter().zip(self.values.chunks_exact_mut(4)) {
                     let now = source.traced(*pc);
-                    values.copy_from_slice(&[u64::from(now.ran), u64::from(now.rlo), now.dr as u64]);
+                    let (ever, last) = (now.ran != Ran::Never, now.ran == Ran::Now);
+                    let line = [u64::from(ever), u64::from(last), u64::from(now.rlo), now.dr as u64];
+                    values.copy_from_slice(&line);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Bytes on the line, counted with everything that streams put on it: delimiters, checksums, heartbeats.
 
 use technol_wire::message::{Event, ItemKind, Mode, Request, Subject, Subscription};
-use technol_wire::{HostEvent, MechanismSample, TraceSample};
+use technol_wire::{HostEvent, MechanismSample, Ran, TraceSample};
 
 use super::world::{CYCLE, LINE, Random, SECOND, World};
 use super::{bits_and_double_words, item, variables};
@@ -139,7 +139,7 @@ fn a_trace_of_forty_lines_each_cycle_takes_a_seventh_of_the_line() {
     let subject = Subject::Trace { pcs: pcs.clone(), wide: false };
     let mut world = World::new(1, 1);
     for pc in &pcs {
-        world.plant.traced.insert(*pc, TraceSample { ran: true, rlo: false, dr: 0 });
+        world.plant.traced.insert(*pc, TraceSample { ran: Ran::Now, rlo: false, dr: 0 });
     }
     world.run(SECOND / 10, |_| {});
     world.host.request(Request::Subscribe(Subscription { id: 2, period: 1, subject }));
@@ -158,7 +158,7 @@ fn a_trace_of_forty_lines_each_cycle_takes_a_seventh_of_the_line() {
             line.dr = (line.dr + random.next() as i64 % 1000) & 0xFFFF;
         }
         let line = w.plant.traced.get_mut(&pcs[random.below(40)]).unwrap();
-        line.ran = !line.ran;
+        line.ran = if line.ran == Ran::Now { Ran::Before } else { Ran::Now };
     });
     let share = (world.bytes() - before.0) * 100 / (LINE * seconds as usize);
     assert!(share <= 15, "{share} %");

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use serde_json::{Value, json};
 use technol_wire::message::{Item, ItemKind, Mode, Request, Subject, Subscription};
-use technol_wire::{MechanismSample, TraceSample};
+use technol_wire::{MechanismSample, Ran, TraceSample};
 
 use super::variables;
 use super::world::{Faults, Random, SECOND, World};
@@ -50,8 +50,8 @@ fn live(world: &mut World, random: &mut Random) {
         let now = MechanismSample { active: random.percent(50), resume: 3, line: 41, entered: world.cycle };
         world.plant.mechanisms.insert(random.below(5) as u16, now);
     }
-    let line =
-        TraceSample { ran: random.percent(80), rlo: random.percent(50), dr: random.next() as i64 >> 40 };
+    let ran = if random.percent(80) { Ran::Now } else { Ran::Before };
+    let line = TraceSample { ran, rlo: random.percent(50), dr: random.next() as i64 >> 40 };
     world.plant.traced.insert(random.below(9) as u32, line);
     // Held now and then.
     if world.number % 80 < 10 {

@@ -192,6 +192,7 @@ REQUEST = variants(
     ("OnLinkLost", words("RunOn StayStopped StopPlc")),
     ("Echo", fields(bytes=OCTETS)),
     ("Files", FILE_REQUEST),
+    ("MachineRegisters", None),
 )
 FAILURE = variants(
     ("Unsupported", None), ("Malformed", None), ("Version", None), ("NoSession", None), ("NoProgram", None),
@@ -209,6 +210,7 @@ RESPONSE = variants(
     ("Failed", FAILURE),
     ("Echo", fields(bytes=OCTETS, damaged=UINT)),
     ("Files", FILE_ANSWER),
+    ("MachineRegisters", fields(eax=UINT, flags=UINT)),
 )
 STOPPED = fields(
     reason=words("Breakpoint Step Pause Entry Fault"), pc=UINT, module=U8, sequence=optional(UINT), cycle=UINT,

@@ -1,6 +1,7 @@
 //! What the vectors are made of: every message, with values at the edges of their encoding.
 
 use technol_wire::frame::{self, kind};
+use technol_wire::message::MachineRegisters;
 use technol_wire::message::{
     BreakpointState, Chunk, ChunkAck, Entry, Event, Failure, Fault, FaultKind, FileAnswer, FileRequest,
     Frame, Limits, LostPolicy, PROTOCOL_VERSION, PlcState, Registers, Request, Response, Resume,
@@ -93,6 +94,7 @@ pub(crate) fn requests() -> Vec<Request> {
         }),
         Request::Unsubscribe { id: 3 },
         Request::Echo { bytes: vec![0, 1, 2] },
+        Request::MachineRegisters,
     ];
     requests
         .extend([LostPolicy::RunOn, LostPolicy::StayStopped, LostPolicy::StopPlc].map(Request::OnLinkLost));
@@ -111,7 +113,7 @@ pub(crate) fn requests() -> Vec<Request> {
 }
 
 /// Number of variants of [`Response`]; `response_number` does not compile without knowing each.
-pub(crate) const RESPONSES: u8 = 11;
+pub(crate) const RESPONSES: u8 = 12;
 
 fn response_number(response: &Response) -> u8 {
     match response {
@@ -125,7 +127,8 @@ fn response_number(response: &Response) -> u8 {
         Response::Sequences(_) => 7,
         Response::Failed(_) => 8,
         Response::Echo { .. } => 9,
-        Response::Files(_) => RESPONSES - 1,
+        Response::Files(_) => 10,
+        Response::MachineRegisters(_) => RESPONSES - 1,
     }
 }
 
@@ -150,6 +153,7 @@ pub(crate) fn responses() -> Vec<Response> {
         Response::CallStack(call_stack()),
         Response::Sequences(vec![sequence, SequenceState { active: false, ..sequence }]),
         Response::Echo { bytes: vec![0, 1, 2], damaged: 12 },
+        Response::MachineRegisters(MachineRegisters { eax: 0x1_4000, flags: 0x841 }),
         Response::Files(FileAnswer::Entries {
             entries: vec![
                 Entry { name: "log".into(), folder: true, size: 0, modified: 0 },

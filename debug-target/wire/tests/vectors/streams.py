@@ -24,7 +24,7 @@ def widths(subject):
     if kind == "Mechanisms":
         return [1, 16, 16, 32] * len(what), False
     if kind == "Trace":
-        return [1, 1, 64 if what["wide"] else 32] * len(what["pcs"]), False
+        return [1, 1, 1, 64 if what["wide"] else 32] * len(what["pcs"]), False
     bits, extremes = [], False
     for item in what:
         form = item["kind"]
