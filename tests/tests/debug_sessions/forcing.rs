@@ -43,7 +43,7 @@ fn the_program_sees_what_is_forced_from_its_first_cycle_on() {
         client.request("restart", Value::Null).expect("a restart");
         let stop = client.event(mark, "stopped").expect("the break-point");
         assert_eq!(stop["reason"], "breakpoint", "the stop before the first statement is not shown");
-        assert_eq!(value(client, "CYCLES").split(' ').next(), Some("0"), "it is the first cycle");
+        assert_eq!(value(client, "CYCLES").split(' ').next(), Some("1"), "it is the first cycle");
         assert_eq!(value(client, "K_CW"), "true");
         says(client, mark, "1 bit is forced; `forced` lists them");
 
