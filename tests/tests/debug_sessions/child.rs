@@ -98,11 +98,22 @@ impl Site {
     #[cfg(unix)]
     #[expect(clippy::unnecessary_wraps, reason = "other systems have no pseudo terminals")]
     pub(crate) fn serial(lathe: &Lathe) -> Option<Site> {
-        let mut cable = Process::start(Path::new(env!("CARGO_BIN_EXE_pty-pair")), &[]);
+        Some(Site::behind(lathe, &[]))
+    }
+
+    /// The same where this part of the bits arrives wrong, and that is cut for a second after so many seconds each.
+    #[cfg(unix)]
+    pub(crate) fn noisy(lathe: &Lathe, errors: f64, between_cuts: u32) -> Site {
+        Site::behind(lathe, &[&errors.to_string(), &between_cuts.to_string()])
+    }
+
+    #[cfg(unix)]
+    fn behind(lathe: &Lathe, cable: &[&str]) -> Site {
+        let mut cable = Process::start(Path::new(env!("CARGO_BIN_EXE_pty-pair")), cable);
         let (near, far) = (cable.line(), cable.line());
         let mut target = target(lathe, "--serial", &far);
         assert_eq!(target.address(), format!("serial:{far}@115200"));
-        Some(Site { address: format!("serial:{near}@115200"), target: Some(target), _cable: Some(cable) })
+        Site { address: format!("serial:{near}@115200"), target: Some(target), _cable: Some(cable) }
     }
 
     #[cfg(not(unix))]

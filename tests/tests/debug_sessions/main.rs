@@ -7,6 +7,9 @@ mod binary;
 mod frame;
 #[path = "../common/lathe.rs"]
 mod lathe;
+#[cfg(unix)]
+#[path = "../common/patient.rs"]
+mod patient;
 
 mod attach;
 mod breakpoints;
@@ -14,6 +17,8 @@ mod child;
 mod console;
 mod forcing;
 mod machine_registers;
+#[cfg(unix)]
+mod noise;
 mod session;
 mod trouble;
 mod watching;

@@ -11,6 +11,8 @@ mod binary;
 #[path = "../common/lathe.rs"]
 #[allow(dead_code)]
 mod lathe;
+#[path = "../common/patient.rs"]
+mod patient;
 
 mod bars;
 mod forcing;

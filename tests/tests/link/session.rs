@@ -5,13 +5,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use serde_json::{Value, json};
-use technol_dap::client::{Client, ClientError, Mark};
+use technol_dap::client::{Client, Mark};
 use technol_dap::{FileBuilder, Surroundings};
 use technol_link_model::{Cuts, Faults, LineOptions};
 use technol_target::TargetOptions;
 use technol_wire::frame::kind;
 
 use crate::lathe::Lathe;
+use crate::patient::{ask, step};
 use crate::probe::SECOND;
 use crate::world::Shared;
 
@@ -23,46 +24,11 @@ const THINKING: u64 = 200_000;
 const REGISTERS: Option<u8> = Some(10);
 const CALL_STACK: Option<u8> = Some(15);
 
-pub(crate) struct Editor {
-    pub(crate) client: Client,
-    lost: u32,
-}
-
-impl Editor {
-    pub(crate) fn new(shared: &Shared) -> Editor {
-        let surroundings =
-            Surroundings { connector: Arc::new(shared.clone()), builder: Arc::new(FileBuilder) };
-        let mut client = Client::in_process(&surroundings).expect("an adapter");
-        client.set_patience(Duration::from_secs(60));
-        Editor { client, lost: 0 }
-    }
-
-    /// Asks until the link is there to answer.
-    fn ask(&mut self, command: &str, arguments: &Value) -> Value {
-        for _ in 0..600 {
-            match self.client.request(command, arguments.clone()) {
-                Ok(body) => return body,
-                Err(ClientError::Refused { message, .. }) if message.contains("link") => {
-                    self.lost += 1;
-                    std::thread::sleep(Duration::from_millis(50));
-                }
-                Err(error) => panic!("{command}: {error}"),
-            }
-        }
-        panic!("{command}: the link never came back");
-    }
-
-    /// A step; a link that is lost meanwhile may or may not have let the step happen, but then says where it is.
-    fn step(&mut self, thread: i64) -> i64 {
-        let mark = self.client.mark();
-        match self.client.request("stepIn", json!({ "threadId": thread })) {
-            Ok(_) => {}
-            Err(ClientError::Refused { message, .. }) if message.contains("link") => self.lost += 1,
-            Err(error) => panic!("{error}"),
-        }
-        let stopped = self.client.event(mark, "stopped").expect("a stop");
-        stopped["threadId"].as_i64().expect("a thread")
-    }
+pub(crate) fn editor(shared: &Shared) -> Client {
+    let surroundings = Surroundings { connector: Arc::new(shared.clone()), builder: Arc::new(FileBuilder) };
+    let mut client = Client::in_process(&surroundings).expect("an adapter");
+    client.set_patience(Duration::from_secs(60));
+    client
 }
 
 pub(crate) fn lathe_machine(lathe: &Lathe) -> TargetOptions {
@@ -85,20 +51,20 @@ fn a_whole_session_on_a_bad_cable() {
         ..LineOptions::default()
     };
     let shared = Shared::new(line, lathe_machine(&lathe));
-    let mut editor = Editor::new(&shared);
+    let mut editor = editor(&shared);
     let main = lathe.path("main.plc");
     let place = lathe.line("main.plc", PLACE);
-    editor.client.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
-    let stopped = editor.client.event(Mark::START, "stopped").expect("the break-point");
+    editor.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
+    let stopped = editor.event(Mark::START, "stopped").expect("the break-point");
     assert_eq!(stopped["reason"], "breakpoint");
     let mut thread = stopped["threadId"].as_i64().expect("a thread");
 
     for n in 0..500 {
-        thread = editor.step(thread);
+        thread = step(&mut editor, thread);
         shared.think(THINKING);
         if n % 20 == 0 {
             // What is shown is what is in the machine.
-            let shown = editor.ask("evaluate", &json!({ "expression": "DR64", "context": "watch" }));
+            let shown = ask(&mut editor, "evaluate", &json!({ "expression": "DR64", "context": "watch" }));
             let world = shared.world();
             let registers = world.core.simulation().expect("a program").runtime().registers();
             let shown = shown["result"].as_str().expect("a value");
@@ -108,16 +74,20 @@ fn a_whole_session_on_a_bad_cable() {
             // Set, and read back: also when the first try got no answer.
             let value = n * 3 + 1;
             let set = json!({ "expression": "BX", "value": value.to_string() });
-            editor.ask("setExpression", &set);
+            ask(&mut editor, "setExpression", &set);
             let world = shared.world();
             let bx = world.core.simulation().expect("a program").runtime().registers().bx;
             assert_eq!(bx, value);
         }
     }
-    let mark = editor.client.mark();
-    editor.ask("setBreakpoints", &json!({ "source": { "path": main }, "breakpoints": [{ "line": place }] }));
-    editor.ask("continue", &json!({ "threadId": thread }));
-    let again = editor.client.event_where(mark, "stopped", |b| b["reason"] == "breakpoint");
+    let mark = editor.mark();
+    ask(
+        &mut editor,
+        "setBreakpoints",
+        &json!({ "source": { "path": main }, "breakpoints": [{ "line": place }] }),
+    );
+    ask(&mut editor, "continue", &json!({ "threadId": thread }));
+    let again = editor.event_where(mark, "stopped", |b| b["reason"] == "breakpoint");
     again.expect("the break-point is still there");
     let world = shared.world();
     // It was really cut, and not in vain.
@@ -128,36 +98,35 @@ fn a_whole_session_on_a_bad_cable() {
 fn an_editor_hears_of_a_cut_within_a_second_and_finds_its_stop_again() {
     let lathe = Lathe::copy();
     let shared = Shared::new(LineOptions::default(), lathe_machine(&lathe));
-    let mut editor = Editor::new(&shared);
+    let mut editor = editor(&shared);
     let main = lathe.path("main.plc");
     let place = lathe.line("main.plc", PLACE);
-    editor.client.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
-    editor.client.event(Mark::START, "stopped").expect("the break-point");
+    editor.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
+    editor.event(Mark::START, "stopped").expect("the break-point");
 
-    let mark = editor.client.mark();
+    let mark = editor.mark();
     let cut_at = {
         let mut world = shared.world();
         world.cable.set_cut(true);
         world.now
     };
-    let lost =
-        editor.client.event_where(mark, "output", |b| b["category"] == "important").expect("it is told");
+    let lost = editor.event_where(mark, "output", |b| b["category"] == "important").expect("it is told");
     let text = lost["output"].as_str().expect("a text");
     assert!(text.starts_with("the link to the target is lost") && text.contains("stays so"), "{text}");
     // No time passes without a link, but for the tries to open one.
     let heard_at = shared.world().now;
     assert!(heard_at - cut_at <= SECOND + 200_000, "{} µs", heard_at - cut_at);
-    let refused = editor.client.request("stackTrace", json!({ "threadId": 1 }));
+    let refused = editor.request("stackTrace", json!({ "threadId": 1 }));
     drop(refused); // the stack came along with the stop, so it may be there
 
     shared.world().cable.set_cut(false);
     let back = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("is back"));
-    editor.client.event_where(mark, "output", back).expect("the link is back");
-    let stopped = editor.client.event(mark, "stopped").expect("the stop is told again");
+    editor.event_where(mark, "output", back).expect("the link is back");
+    let stopped = editor.event(mark, "stopped").expect("the stop is told again");
     let thread = stopped["threadId"].as_i64().expect("a thread");
-    let mark = editor.client.mark();
-    editor.ask("continue", &json!({ "threadId": thread }));
-    let next = editor.client.event(mark, "stopped").expect("the break-point is armed again");
+    let mark = editor.mark();
+    ask(&mut editor, "continue", &json!({ "threadId": thread }));
+    let next = editor.event(mark, "stopped").expect("the break-point is armed again");
     assert_eq!(next["reason"], "breakpoint");
 }
 
@@ -165,17 +134,17 @@ fn an_editor_hears_of_a_cut_within_a_second_and_finds_its_stop_again() {
 fn a_stop_is_shown_without_any_further_question() {
     let lathe = Lathe::copy();
     let shared = Shared::new(LineOptions::default(), lathe_machine(&lathe));
-    let mut editor = Editor::new(&shared);
+    let mut editor = editor(&shared);
     let main = lathe.path("main.plc");
     let place = lathe.line("main.plc", PLACE);
-    editor.client.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
-    let stopped = editor.client.event(Mark::START, "stopped").expect("the break-point");
+    editor.start(launch(&lathe), &[(&main, &[place])]).expect("the program starts");
+    let stopped = editor.event(Mark::START, "stopped").expect("the break-point");
     let mut thread = stopped["threadId"].as_i64().expect("a thread");
     for _ in 0..10 {
         let from = shared.world().passed.len();
-        thread = editor.step(thread);
-        let frame = editor.client.top_frame(thread).expect("a frame");
-        let registers = editor.client.scope(&frame, "Registers").expect("the registers");
+        thread = step(&mut editor, thread);
+        let frame = editor.top_frame(thread).expect("a frame");
+        let registers = editor.scope(&frame, "Registers").expect("the registers");
         assert!(!registers.is_empty());
         let world = shared.world();
         let passed = &world.passed[from..];
@@ -191,26 +160,25 @@ fn a_stop_is_shown_without_any_further_question() {
 fn watches_of_a_running_program_go_on_after_a_cut_and_are_stale_meanwhile() {
     let lathe = Lathe::copy();
     let shared = Shared::new(LineOptions::default(), lathe_machine(&lathe));
-    let mut editor = Editor::new(&shared);
-    editor.client.start(launch(&lathe), &[]).expect("the program starts");
+    let mut editor = editor(&shared);
+    editor.start(launch(&lathe), &[]).expect("the program starts");
     let watches = json!({ "period": 100, "watches": [{ "expression": "CYCLES" }] });
-    editor.client.request("technol/subscribe", watches).expect("a subscription");
+    editor.request("technol/subscribe", watches).expect("a subscription");
     let fresh = |b: &Value| b["watches"][0]["stale"] == false;
-    let first = editor.client.event_where(Mark::START, "technol/watch", fresh).expect("values");
+    let first = editor.event_where(Mark::START, "technol/watch", fresh).expect("values");
     let cycle = |b: &Value| b["watches"][0]["cycle"].as_u64().unwrap_or(0);
 
-    let mark = editor.client.mark();
+    let mark = editor.mark();
     shared.world().cable.set_cut(true);
     let lost = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("link to the target is lost"));
-    editor.client.event_where(mark, "output", lost).expect("it is told");
+    editor.event_where(mark, "output", lost).expect("it is told");
     let stale = |b: &Value| b["watches"][0]["stale"] == true;
-    editor.client.event_where(mark, "technol/watch", stale).expect("what is shown is marked");
+    editor.event_where(mark, "technol/watch", stale).expect("what is shown is marked");
     shared.world().cable.set_cut(false);
     let back = |b: &Value| b["output"].as_str().is_some_and(|t| t.contains("is back"));
-    editor.client.event_where(mark, "output", back).expect("the link is back");
-    let mark = editor.client.mark();
+    editor.event_where(mark, "output", back).expect("the link is back");
+    let mark = editor.mark();
     let later = editor
-        .client
         .event_where(mark, "technol/watch", |b| fresh(b) && cycle(b) > cycle(&first) + 40)
         .expect("values again");
     let value = later["watches"][0]["value"].as_str().expect("a value");
