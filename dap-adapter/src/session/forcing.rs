@@ -107,7 +107,7 @@ impl Session {
                 "name": format!("{}.{}", ports.name(f.port), f.bit),
                 "symbol": ports.bit_name(f.port, f.bit),
                 "value": u8::from(f.value),
-                "own": self.is_ours(f),
+                "own": self.is_ours(*f),
                 "both": f.both,
             })
         });
@@ -196,7 +196,7 @@ impl Session {
             .map(|f| {
                 let label = self.label(PortBits { port: f.port, mask: 1 << f.bit });
                 let both = if f.both { " (both masks are set: 0 wins)" } else { "" };
-                let whose = if self.is_ours(f) { "" } else { ", not by this session" };
+                let whose = if self.is_ours(*f) { "" } else { ", not by this session" };
                 format!("{label} = {}{both}{whose}", u8::from(f.value))
             })
             .collect();
@@ -211,7 +211,7 @@ impl Session {
         Ok(if lines.is_empty() { "nothing is forced".into() } else { lines.join("\n") })
     }
 
-    fn is_ours(&self, forced: &Forced) -> bool {
+    fn is_ours(&self, forced: Forced) -> bool {
         self.forcing.ours.get(&(forced.port, forced.bit)) == Some(&Some(forced.value))
     }
 
