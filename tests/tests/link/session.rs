@@ -58,6 +58,8 @@ fn a_whole_session_on_a_bad_cable() {
     let stopped = editor.event(Mark::START, "stopped").expect("the break-point");
     assert_eq!(stopped["reason"], "breakpoint");
     let mut thread = stopped["threadId"].as_i64().expect("a thread");
+    let watches = json!({ "period": 100, "watches": [{ "expression": "CYCLES" }] });
+    ask(&mut editor, "technol/subscribe", &watches);
 
     for n in 0..500 {
         thread = step(&mut editor, thread);
@@ -89,6 +91,12 @@ fn a_whole_session_on_a_bad_cable() {
     ask(&mut editor, "continue", &json!({ "threadId": thread }));
     let again = editor.event_where(mark, "stopped", |b| b["reason"] == "breakpoint");
     again.expect("the break-point is still there");
+    // So is the watch: it shows this stop, after all the cuts.
+    shared.think(2 * SECOND);
+    let shown = ask(&mut editor, "evaluate", &json!({ "expression": "CYCLES", "context": "watch" }));
+    let shown = shown["result"].as_str().expect("a value").to_owned();
+    let is_it = |b: &Value| b["watches"][0]["stale"] == false && b["watches"][0]["value"] == shown.as_str();
+    editor.event_where(mark, "technol/watch", is_it).expect("the watch goes on");
     let world = shared.world();
     // It was really cut, and not in vain.
     assert!(world.now > 80 * SECOND && world.opened > 3, "{} s, {} links", world.now / SECOND, world.opened);
