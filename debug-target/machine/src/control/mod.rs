@@ -192,7 +192,7 @@ impl SimulatedControl {
                 | Service::EcatCoeWrite
                 | Service::EcatSoeRead
                 | Service::EcatSoeWrite => self.ethercat.prepare(call, longest),
-                other if other.name().starts_with("PLCT_") => self.tables.prepare(call, other, longest),
+                other if tables::is_table(other) => self.tables.prepare(call, other, longest),
                 _ => {}
             }
         }
@@ -364,7 +364,7 @@ impl Control for SimulatedControl {
             | Service::EcatCoeWrite
             | Service::EcatSoeRead
             | Service::EcatSoeWrite => self.ethercat.execute(call),
-            other if other.name().starts_with("PLCT_") => self.tables.execute(&mut self.data.tables, call),
+            other if tables::is_table(other) => self.tables.execute(&mut self.data.tables, call),
             other => {
                 let known = axes::service(&mut self.motion, call)?;
                 if known { Ok(()) } else { Err(FaultKind::NoService(other)) }

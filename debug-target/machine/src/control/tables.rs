@@ -127,6 +127,28 @@ impl Tables {
     }
 }
 
+/// Whether it is an instruction of tables.
+pub(super) fn is_table(service: Service) -> bool {
+    matches!(
+        service,
+        Service::PlctColIndex
+            | Service::PlctColId
+            | Service::PlctColType
+            | Service::PlctGetSelline
+            | Service::PlctSetSelline
+            | Service::PlctChanged
+            | Service::PlctGetLinescount
+            | Service::PlctGetInt
+            | Service::PlctGetReal
+            | Service::PlctGetStr
+            | Service::PlctGetBin
+            | Service::PlctSetInt
+            | Service::PlctSetReal
+            | Service::PlctSetStr
+            | Service::PlctSetBin
+    )
+}
+
 /// Does what an instruction asks for, or tells the number of an error.
 fn carry_out<'a>(
     views: &mut Vec<View>,

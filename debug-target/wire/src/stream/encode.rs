@@ -176,40 +176,40 @@ fn put_value(writer: &mut BitWriter<'_>, value: u64, width: u8) {
     }
 }
 
-/// Each change: how many values are passed over, and the difference. A bit that changes needs no difference.
-fn put_changes(writer: &mut BitWriter<'_>, layout: &Layout, base: &Sent, values: &[u64]) {
-    let order = layout.order();
+/// Each change: how many values are passed over, and the difference with its width. A bit that changes needs no
+/// difference.
+fn changes<'a>(
+    layout: &'a Layout,
+    base: &'a Sent,
+    values: &'a [u64],
+) -> impl Iterator<Item = (u32, Option<(u64, u8)>)> + 'a {
     let mut passed = 0;
-    for ((value, old), width) in values.iter().zip(&base.values).zip(layout.widths()) {
+    values.iter().zip(&base.values).zip(layout.widths()).filter_map(move |((value, old), width)| {
         if value == old {
             passed += 1;
-            continue;
+            return None;
         }
-        writer.put_golomb(passed, order);
-        passed = 0;
-        if *width > 1 {
-            writer.put_difference(value.wrapping_sub(*old), *width);
+        let difference = (*width > 1).then(|| (value.wrapping_sub(*old), *width));
+        Some((core::mem::take(&mut passed), difference))
+    })
+}
+
+fn put_changes(writer: &mut BitWriter<'_>, layout: &Layout, base: &Sent, values: &[u64]) {
+    for (passed, difference) in changes(layout, base, values) {
+        writer.put_golomb(passed, layout.order());
+        if let Some((difference, width)) = difference {
+            writer.put_difference(difference, width);
         }
     }
 }
 
 /// Bits that [`put_changes`] needs.
 fn changes_bits(layout: &Layout, base: &Sent, values: &[u64]) -> u32 {
-    let mut bits = 0;
-    let order = layout.order();
-    let mut passed = 0;
-    for ((value, old), width) in values.iter().zip(&base.values).zip(layout.widths()) {
-        if value == old {
-            passed += 1;
-            continue;
-        }
-        bits += golomb_len(passed, order);
-        passed = 0;
-        if *width > 1 {
-            bits += difference_len(value.wrapping_sub(*old), *width);
-        }
-    }
-    bits
+    let of_change = |(passed, difference): (u32, Option<(u64, u8)>)| {
+        golomb_len(passed, layout.order())
+            + difference.map_or(0, |(difference, width)| difference_len(difference, width))
+    };
+    changes(layout, base, values).map(of_change).sum()
 }
 
 fn put_varint(mut value: u32, out: &mut Vec<u8>) {
