@@ -156,9 +156,14 @@ impl Axis {
         self.ramp.velocity == 0.0 && self.offset.velocity == 0.0 && self.error() == 0.0 && !self.shifts()
     }
 
-    /// The independent shift is not where it shall be.
+    /// The independent shift is not where it shall be. That of a spindle or of a run waits until they are done.
     pub(crate) fn shifts(&self) -> bool {
-        self.offset.position.to_bits() != self.offset_target.to_bits()
+        self.may_shift() && self.offset.position.to_bits() != self.offset_target.to_bits()
+    }
+
+    /// Runs and spindles bear no independent shift beside them.
+    pub(crate) fn may_shift(&self) -> bool {
+        !matches!(self.work, Work::Run | Work::Spindle)
     }
 
     /// The position error is within the tolerance.

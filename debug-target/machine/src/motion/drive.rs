@@ -161,7 +161,8 @@ impl Motion {
     fn shift_axis(&mut self, index: usize, signals: &Signals, feed: &Feed) {
         let axis = &mut self.axes[index];
         axis.offset_step = 0.0;
-        if matches!(axis.work, Work::Run | Work::Spindle) {
+        if !axis.may_shift() {
+            axis.offset.velocity = 0.0;
             return;
         }
         let gate = Gate::of(axis, index, signals, false);

@@ -2,7 +2,7 @@
 
 use technol_image::system::{self, motion as place};
 use technol_machine::Cells;
-use technol_machine::motion::{Analog, BlockMove, Refused, Role};
+use technol_machine::motion::{Analog, BlockMove, Refused, Role, SpiAx};
 use technol_runtime::BlockSpindle;
 
 use crate::support::{Bench, bit};
@@ -280,6 +280,31 @@ fn the_first_axis_that_becomes_a_spindle_is_the_main_one() {
     bench.motion.analog(11, Analog::Main).unwrap();
     assert_eq!(bench.motion.outputs()[5], 11);
     assert_eq!(bench.init(6), Err(Refused::Busy), "a spindle is no axis");
+}
+
+#[test]
+fn an_independent_shift_waits_while_its_axis_is_a_spindle_and_is_not_requested() {
+    let mut bench = Bench::new("[[axis]]\nnumber=2");
+    bench.cells().set_word(place::WHEEL_STEP, 100);
+    bench.cells().set_byte(place::OFFSET_ALLOWED, 0x3F);
+    bench.set(place::OFFSET_MODE, true);
+    bench.set(place::OFFSET_ACTIVE, true);
+    bench.motion.select_key(2).unwrap();
+    bench.motion.turn_wheel(-1);
+    bench.run(500);
+    assert_eq!(bench.cells().dword(place::OFFSET + 4), -800, "-100 µm in eighths");
+    bench.motion.ax_spi(&mut Cells::new(&mut bench.memory), 2, None).unwrap();
+    bench.set(place::OFFSET_MODE, false);
+    bench.run(500);
+    assert!(!bench.is(place::REQUESTED.of(1)), "nothing of a spindle is shifted");
+    assert_eq!(bench.cells().dword(place::OFFSET + 4), -800);
+    let back = SpiAx { feed1: None, feed2: None, angle: None, accel: Some(2000), axis: Some(2) };
+    bench.motion.spi_ax(&mut Cells::new(&mut bench.memory), back).unwrap();
+    bench.tick();
+    assert!(bench.is(place::REQUESTED.of(1)), "an axis again, it goes back");
+    bench.run(1000);
+    assert_eq!(bench.cells().dword(place::OFFSET + 4), 0);
+    assert!(!bench.is(place::REQUESTED.of(1)));
 }
 
 #[test]
