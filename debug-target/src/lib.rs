@@ -21,7 +21,6 @@ mod lines;
 mod link;
 mod listen;
 mod machine_file;
-mod part_program;
 mod pipe;
 mod recording;
 mod sampling;

@@ -6,17 +6,17 @@ use technol_image::Program;
 use technol_image::system::data::{PLC_MEM_BACKUP, PLC_MEM_BACKUP_LEN};
 use technol_image::system::m_group;
 use technol_machine::{
-    BlockMode, BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown,
-    SimulatedControl,
+    BlockStart, ConfigError, ControlData, MachineConfig, Plant, PlantEvent, Shown, SimulatedControl,
 };
 use technol_runtime::{
-    Block, BlockFlag, Command, InputImage, LoadError, PlcState, Resume, Runtime, RuntimeEvent, TickOutcome,
+    Block, BlockFlag, BlockMode, Command, InputImage, LoadError, PlcState, Rejection, Resume, Runtime,
+    RuntimeEvent, TickOutcome,
 };
-
-use crate::part_program;
 
 /// Blocks handed to the PLC ahead of the one in progress.
 const LOOK_AHEAD: usize = 8;
+/// Blocks that may wait besides all that the machine has: programs started before the last one is through.
+const MORE_WAITING: usize = 240;
 /// The highest M function and the highest group.
 const LAST_M: u8 = 99;
 const LAST_GROUP: u8 = 14;
@@ -50,8 +50,9 @@ pub struct Simulation {
     moved: Option<u64>,
     /// The next tick starts the PLC; the machine does not move in it.
     starting: bool,
-    /// Blocks of the part program that the PLC has not been given yet.
+    /// Blocks of the part program that the PLC has not been given yet, at most `most_waiting`, for which there is room.
     waiting: VecDeque<Block>,
+    most_waiting: usize,
     /// Central annulment is on its way: what the PLC forgets is meant to be forgotten.
     annulled: bool,
 }
@@ -76,6 +77,7 @@ impl Simulation {
         runtime.set_conditional_stop(control.conditional_stop);
         let mut around = machine.map_or_else(SimulatedControl::new, SimulatedControl::of);
         around.prepare(&runtime.program().services);
+        let most_waiting = plant.block_count() + MORE_WAITING;
         Ok(Simulation {
             runtime,
             plant,
@@ -83,7 +85,8 @@ impl Simulation {
             inputs: [0; technol_machine::INPUT_PORTS],
             moved: None,
             starting: false,
-            waiting: VecDeque::new(),
+            waiting: VecDeque::with_capacity(most_waiting),
+            most_waiting,
             annulled: false,
         })
     }
@@ -120,7 +123,17 @@ impl Simulation {
 
     /// A number that two simulations of the same program and machine share when they go on the same way from here.
     pub fn state_hash(&self) -> u64 {
-        let Simulation { runtime, plant, control, inputs, moved, starting, waiting, annulled } = self;
+        let Simulation {
+            runtime,
+            plant,
+            control,
+            inputs,
+            moved,
+            starting,
+            waiting,
+            most_waiting: _,
+            annulled,
+        } = self;
         let rest = format!("{moved:?} {starting} {waiting:?} {annulled:?}");
         let mix = |hash: u64, part: u64| (hash.rotate_left(5) ^ part).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         // Only equality matters, and the three parts are mixed already.
@@ -202,8 +215,11 @@ impl Simulation {
             self.moved = Some(self.runtime.millis());
             self.plant.place_axes(self.control.motion());
             self.plant.connect(&self.control, self.runtime.memory());
-            for event in self.plant.step(self.runtime.outputs(), &mut self.inputs) {
-                self.take(event);
+            self.plant.step(self.runtime.outputs(), &mut self.inputs);
+            while let Some(event) = self.plant.next_event() {
+                if let Err(rejection) = self.take(event) {
+                    events.push(RuntimeEvent::BlockRejected(rejection));
+                }
             }
             self.plant.tell(&mut self.control);
             let shorted = self.plant.shorted().unwrap_or(&[0; technol_machine::OUTPUT_PORTS]);
@@ -264,11 +280,14 @@ impl Simulation {
 
     /// Starts a block as the control would, beside those of the machine's part program: it begins when its turn
     /// comes, one of central annulment at once. A block that is out of range ends as a rejection among the events.
-    pub fn start_block(&mut self, block: BlockStart) {
-        self.take(PlantEvent::StartBlock(block));
+    ///
+    /// # Errors
+    /// Too many blocks wait already.
+    pub fn start_block(&mut self, block: &BlockStart) -> Result<(), Rejection> {
+        self.take(PlantEvent::StartBlock(block.block()))
     }
 
-    fn take(&mut self, event: PlantEvent) {
+    fn take(&mut self, event: PlantEvent) -> Result<(), Rejection> {
         let command = match event {
             PlantEvent::StartBlock(block) => {
                 if block.mode == BlockMode::CentralAnnulment {
@@ -277,19 +296,23 @@ impl Simulation {
                     self.annulled = true;
                     self.runtime.command(Command::AbortBlock);
                 }
-                self.waiting.push_back(part_program::block(block));
-                return;
+                if self.waiting.len() >= self.most_waiting {
+                    return Err(Rejection::QueueFull);
+                }
+                self.waiting.push_back(block);
+                return Ok(());
             }
             PlantEvent::Command { code, pressed } => Command::PlcCommand { code, pressed },
             PlantEvent::Panel { key, pressed } => {
                 // Its axis was checked with the machine.
                 let _ = self.control.motion_mut().panel_key(key, pressed);
-                return;
+                return Ok(());
             }
             PlantEvent::Start => Command::ContinueBlock,
             PlantEvent::Stop { emergency } => Command::StopBlock { emergency },
         };
         self.runtime.command(command);
+        Ok(())
     }
 
     fn hand_over_blocks(&mut self) {

@@ -177,7 +177,10 @@ impl<'a> Run<'a> {
             Action::Stop { power_off } => {
                 self.simulation.runtime_mut().command(Command::StopPlc { power_off: *power_off });
             }
-            Action::CentralAnnulment => self.simulation.start_block(block_of_annulment()),
+            Action::CentralAnnulment => {
+                let block = BlockStart { mode: BlockMode::CentralAnnulment, ..BlockStart::default() };
+                return self.start_block(&block);
+            }
             Action::Acknowledge => {
                 if self.simulation.control_mut().acknowledge().is_none() {
                     return failed("a message to acknowledge".to_owned(), "the screen shows none".to_owned());
@@ -200,9 +203,14 @@ impl<'a> Run<'a> {
                     return failed(format!("{text} in the memory of the PLC"), error.to_string());
                 }
             }
-            Action::Block(block) => self.simulation.start_block((**block).clone()),
+            Action::Block(block) => return self.start_block(block),
         }
         Ok(())
+    }
+
+    fn start_block(&mut self, block: &BlockStart) -> Passed {
+        let started = self.simulation.start_block(block);
+        started.map_err(|why| vec![problem("a block that starts", why.to_string())])
     }
 
     fn time(&mut self, time: &Time) -> Passed {
@@ -342,17 +350,4 @@ impl<'a> Run<'a> {
 
 fn problem(expected: &str, actual: String) -> Problem {
     Problem { expected: expected.to_owned(), actual }
-}
-
-fn block_of_annulment() -> BlockStart {
-    BlockStart {
-        m: Vec::new(),
-        s: None,
-        t: None,
-        h: None,
-        motion_ms: 0,
-        rapid: false,
-        mode: BlockMode::CentralAnnulment,
-        extra: Box::default(),
-    }
 }

@@ -28,6 +28,11 @@ const SEEDS: &[&str] = &[
     "[[test]]\nname = 'conditions'\nstep = [\n { until = 'MECH(WORK) == idle && !GO || LAMP', at-most = 200 },\n \
      { expect = { TEXT = 'lathe', COUNT = '<= 5' }, always = 'MESSAGE(77) || COUNT <= 0FFh' },\n { set = { SMALL = 3 }, \
      until = \"SMALL == 3 && TEXT != 'x'\", at-most = '1 s', screen = false, listed = 7, not-listed = [77] },\n]\n",
+    "part-program = false\n\n[[test]]\nname = 'blocks'\nmachine = 'machine.toml'\nstep = [\n { set = { GO = 1 }, wait = '9 cycles', screen = 77 },\n \
+     { acknowledge = true, screen = false, message = [77], state = { WORK = 'idle' } },\n { block = [{ m = [3, 40], speed = 500, feed = 3000.5, \
+     feed-max = 8000, axes = [[0, 1.5], [2, -3]], length-mm = 2.5, dwell = 0.1, scale = 1, integers = [1, -25], reals = [0.5], mode = 'other', \
+     flags = ['rev-feed', 'thread'] }, { cutting-speed = 120, speed-limit = 2000, flags = 'const-cut-speed', s = 7, h = 5, t = 1234 }], \
+     wait = 300 },\n]\n",
 ];
 
 /// The scenarios that changes begin from.
@@ -84,6 +89,7 @@ fn shorten(test: &mut Test) {
 mod tests {
     use std::path::Path;
 
+    use super::super::read;
     use super::*;
 
     #[test]
@@ -94,6 +100,15 @@ mod tests {
             .flat_map(|errors| errors.into_iter().map(|e| e.to_string()))
             .collect();
         assert_eq!(wrong, [""; 0]);
+    }
+
+    #[test]
+    fn the_seeds_have_every_key() {
+        let seeds = seeds().concat();
+        let words: Vec<&str> = seeds.split(|c: char| !(c.is_alphanumeric() || c == '-')).collect();
+        let keys = read::keys();
+        let missing: Vec<_> = keys.iter().filter(|key| !words.contains(key)).collect();
+        assert!(keys.len() > 40 && missing.is_empty(), "{missing:?}");
     }
 
     #[test]

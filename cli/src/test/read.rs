@@ -19,6 +19,12 @@ const FILE: &[&str] = &["machine", "part-program", "never", "always", "test"];
 /// Keys of a test.
 const TEST: &[&str] = &["name", "machine", "part-program", "never", "always", "step"];
 
+/// All keys of scenario files.
+#[cfg(test)]
+pub(super) fn keys() -> Vec<&'static str> {
+    [FILE, TEST, step::STEP, block::BLOCK].concat()
+}
+
 /// What tests may name.
 pub(super) struct Reader<'a> {
     pub(super) names: Names<'a>,

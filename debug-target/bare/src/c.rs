@@ -5,11 +5,13 @@
 #![allow(clippy::missing_safety_doc, reason = "said once, above and in technol.h")]
 
 use alloc::boxed::Box;
+use core::fmt::Write as _;
 use core::{ptr, slice};
 
 use technol_image::system;
 use technol_runtime::{Block, BlockMode, Command, InputImage, OutputImage, PlcState, RuntimeEvent};
 
+use crate::control::HostControl;
 use crate::heap;
 use crate::plc::Plc;
 
@@ -79,16 +81,48 @@ unsafe extern "C" fn technol_load(
     match Plc::load(bytes) {
         Ok(plc) => Box::into_raw(Box::new(plc)),
         Err(text) => {
-            if !message.is_null() && message_len > 0 {
-                let count = text.len().min(message_len - 1);
-                // SAFETY: `message_len` bytes are there, `count` is less.
-                unsafe {
-                    ptr::copy_nonoverlapping(text.as_ptr(), message, count);
-                    *message.add(count) = 0;
-                }
-            }
+            // SAFETY: as the header requires.
+            let mut text_of = unsafe { Text::new(message, message_len) };
+            // What does not fit is cut.
+            let _ = text_of.write_str(&text);
             ptr::null_mut()
         }
+    }
+}
+
+/// Room of the host for a text, which is cut to fit and ended by 0.
+struct Text<'a> {
+    room: &'a mut [u8],
+    len: usize,
+}
+
+impl Text<'_> {
+    /// # Safety
+    /// `len` bytes are there, unless `text` is NULL.
+    unsafe fn new<'a>(text: *mut u8, len: usize) -> Text<'a> {
+        let room = if text.is_null() || len == 0 {
+            &mut []
+        } else {
+            // SAFETY: as the caller promises.
+            unsafe { slice::from_raw_parts_mut(text, len) }
+        };
+        if let Some(first) = room.first_mut() {
+            *first = 0;
+        }
+        Text { room, len: 0 }
+    }
+}
+
+impl core::fmt::Write for Text<'_> {
+    fn write_str(&mut self, text: &str) -> core::fmt::Result {
+        for byte in text.bytes().take(self.room.len().saturating_sub(self.len + 1)) {
+            self.room[self.len] = byte;
+            self.len += 1;
+        }
+        if let Some(end) = self.room.get_mut(self.len) {
+            *end = 0;
+        }
+        Ok(())
     }
 }
 
@@ -98,6 +132,11 @@ unsafe extern "C" fn technol_unload(plc: *mut Plc) {
         // SAFETY: it was made by `technol_load` and is not used again.
         drop(unsafe { Box::from_raw(plc) });
     }
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn technol_set_control(plc: &mut Plc, control: Option<&HostControl>) {
+    plc.control = control.cloned().unwrap_or(HostControl::NONE);
 }
 
 #[unsafe(no_mangle)]
@@ -132,7 +171,7 @@ extern "C" fn technol_halt(plc: &mut Plc) {
 extern "C" fn technol_start_block(plc: &mut Plc, block: &CBlock) {
     plc.runtime.command(Command::StartBlock(Block {
         // SAFETY: as the header requires.
-        m: unsafe { list(block.m, block.m_len) }.to_vec(),
+        m: unsafe { list(block.m, block.m_len) }.into(),
         // A number that does not fit becomes one that is refused.
         t: (block.t >= 0).then(|| u32::try_from(block.t).unwrap_or(u32::MAX)),
         s: (block.s >= 0).then(|| u16::try_from(block.s).unwrap_or(u16::MAX)),
@@ -191,6 +230,16 @@ extern "C" fn technol_faulted(plc: &Plc, fault: &mut Fault) -> bool {
         sequence: found.sequence.map_or(-1, i32::from),
     };
     true
+}
+
+#[unsafe(no_mangle)]
+unsafe extern "C" fn technol_fault_text(plc: &Plc, text: *mut u8, len: usize) {
+    // SAFETY: as the header requires.
+    let mut text = unsafe { Text::new(text, len) };
+    if let Some(fault) = plc.runtime.fault() {
+        // What does not fit is cut.
+        let _ = write!(text, "{fault}");
+    }
 }
 
 #[unsafe(no_mangle)]

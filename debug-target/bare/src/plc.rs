@@ -7,12 +7,16 @@ use alloc::vec::Vec;
 use technol_image::container;
 use technol_runtime::{InputImage, OutputImage, Runtime, RuntimeEvent, TickOutcome};
 
+use crate::control::HostControl;
+
 /// Events that wait to be fetched; of more, the oldest go.
 const MOST_EVENTS: usize = 64;
 
 /// A loaded program.
 pub(crate) struct Plc {
     pub(crate) runtime: Runtime,
+    /// What the host carries out.
+    pub(crate) control: HostControl,
     /// Empty between two ticks.
     occurred: Vec<RuntimeEvent>,
     waiting: VecDeque<RuntimeEvent>,
@@ -31,6 +35,7 @@ impl Plc {
         let runtime = Runtime::new(program).map_err(|error| error.to_string())?;
         Ok(Plc {
             runtime,
+            control: HostControl::NONE,
             occurred: Vec::with_capacity(MOST_EVENTS),
             waiting: VecDeque::with_capacity(MOST_EVENTS),
             lost: 0,
@@ -39,7 +44,7 @@ impl Plc {
 
     /// One millisecond.
     pub(crate) fn tick(&mut self, inputs: &InputImage) -> (TickOutcome, &OutputImage) {
-        let outcome = self.runtime.tick(inputs, &mut self.occurred);
+        let outcome = self.runtime.tick_with(inputs, &mut self.control, &mut self.occurred);
         for event in self.occurred.drain(..) {
             if self.waiting.len() == MOST_EVENTS {
                 self.waiting.pop_front();

@@ -1,9 +1,9 @@
 //! Part-program blocks that the control starts.
 
-use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use serde::Deserialize;
+use technol_runtime::{self as runtime, Block, BlockFlags, BlockReal, Prepared, Shared};
 
 use crate::compile::Compiler;
 use crate::config;
@@ -80,7 +80,7 @@ pub struct BlockExtra {
 }
 
 /// A block to be started; values are within the ranges of [`config::Block`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockStart {
     /// M functions.
     pub m: Vec<u8>,
@@ -97,7 +97,87 @@ pub struct BlockStart {
     /// Mode.
     pub mode: BlockMode,
     /// The rest.
-    pub extra: Box<BlockExtra>,
+    pub extra: BlockExtra,
+}
+
+/// Millimetres in a metre.
+const MM: f64 = 1000.0;
+
+impl BlockStart {
+    /// The block as the PLC is given it. Its copies share what it lists.
+    #[must_use]
+    pub fn block(&self) -> Block {
+        Block {
+            m: self.m.as_slice().into(),
+            t: self.t,
+            s: self.s,
+            h: self.h,
+            motion_ms: self.motion_ms,
+            rapid: self.rapid,
+            mode: match self.mode {
+                BlockMode::Auto => runtime::BlockMode::Auto,
+                BlockMode::CentralAnnulment => runtime::BlockMode::CentralAnnulment,
+                BlockMode::Reference => runtime::BlockMode::Reference,
+                BlockMode::Other => runtime::BlockMode::Other,
+            },
+            prepared: Some(Shared::new(self.extra.prepared())),
+        }
+    }
+}
+
+impl BlockExtra {
+    fn prepared(&self) -> Prepared {
+        let mut prepared = Prepared { flags: self.block_flags(), ..Prepared::default() };
+        for (place, value) in prepared.integers.iter_mut().zip(&self.integers) {
+            *place = Some(*value);
+        }
+        for (place, value) in prepared.reals.iter_mut().zip(&self.reals) {
+            *place = Some(*value);
+        }
+        for (axis, target) in &self.axes {
+            if let Some(place) = prepared.axes.get_mut(usize::from(*axis)) {
+                *place = Some(*target);
+            }
+        }
+        for (real, value) in [
+            (BlockReal::SpindleSpeed, self.speed),
+            (BlockReal::ConstCuttingSpeed, self.cutting_speed.map(|speed| speed * MM)),
+            (BlockReal::SpindleSpeedLimit, self.speed_limit),
+            (BlockReal::FeedProgr, self.feed),
+            (BlockReal::FeedMax, self.feed_max),
+            (BlockReal::BlockLen, self.length),
+            (BlockReal::Delay, self.dwell),
+            (BlockReal::Scale, self.scale),
+        ] {
+            if let Some(value) = value {
+                prepared.set(real, value);
+            }
+        }
+        prepared
+    }
+
+    fn block_flags(&self) -> BlockFlags {
+        let mut flags = BlockFlags::default();
+        if self.first {
+            flags = flags.with(runtime::BlockFlag::First);
+        }
+        if self.last {
+            flags = flags.with(runtime::BlockFlag::Last);
+        }
+        for flag in &self.flags {
+            flags = flags.with(match flag {
+                BlockFlag::Backward => runtime::BlockFlag::Backward,
+                BlockFlag::Selected => runtime::BlockFlag::Selected,
+                BlockFlag::Approach => runtime::BlockFlag::Approach,
+                BlockFlag::WithoutTechnology => runtime::BlockFlag::WithoutTechnology,
+                BlockFlag::RevFeed => runtime::BlockFlag::RevFeed,
+                BlockFlag::Continuous => runtime::BlockFlag::Continuous,
+                BlockFlag::ConstCutSpeed => runtime::BlockFlag::ConstCutSpeed,
+                BlockFlag::Thread => runtime::BlockFlag::Thread,
+            });
+        }
+        flags
+    }
 }
 
 /// The farthest target in mm.
@@ -114,7 +194,7 @@ enum Trigger {
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
     trigger: Trigger,
-    blocks: Vec<BlockStart>,
+    blocks: Vec<Block>,
     /// Level of the signal at the last look; it counts as on at first, so that only a change starts anything.
     was_on: bool,
 }
@@ -122,7 +202,7 @@ pub(crate) struct Program {
 impl Program {
     /// Groups blocks: one without a trigger of its own belongs to the one before it.
     pub(crate) fn compile(blocks: &[config::Block], compiler: &mut Compiler<'_>) -> Vec<Program> {
-        let mut programs: Vec<Program> = Vec::new();
+        let mut programs: Vec<(Trigger, Vec<BlockStart>)> = Vec::new();
         let mut known = Known::default();
         for (index, block) in blocks.iter().enumerate() {
             compiler.enter("block", Some(index));
@@ -144,25 +224,29 @@ impl Program {
                 (None, None) => None,
             };
             match (trigger, programs.last_mut()) {
-                (Some(trigger), _) => {
-                    programs.push(Program { trigger, blocks: [start(block)].to_vec(), was_on: true });
-                }
-                (None, Some(program)) => program.blocks.push(start(block)),
+                (Some(trigger), _) => programs.push((trigger, [start(block)].to_vec())),
+                (None, Some((_, blocks))) => blocks.push(start(block)),
                 (None, None) if index == 0 => {
                     compiler.error("", "the first block needs `at-cycle` or `on`");
                 }
                 (None, None) => {} // the block before it is wrong, which is reported
             }
         }
-        for program in &mut programs {
-            if let Some(first) = program.blocks.first_mut() {
+        let program = |(trigger, mut blocks): (Trigger, Vec<BlockStart>)| {
+            if let Some(first) = blocks.first_mut() {
                 first.extra.first = true;
             }
-            if let Some(last) = program.blocks.last_mut() {
+            if let Some(last) = blocks.last_mut() {
                 last.extra.last = true;
             }
-        }
-        programs
+            Program { trigger, blocks: blocks.iter().map(BlockStart::block).collect(), was_on: true }
+        };
+        programs.into_iter().map(program).collect()
+    }
+
+    /// Its blocks.
+    pub(crate) fn len(&self) -> usize {
+        self.blocks.len()
     }
 
     pub(crate) fn reset(&mut self) {
@@ -170,7 +254,7 @@ impl Program {
     }
 
     /// The blocks to start in this millisecond.
-    pub(crate) fn step(&mut self, millis: u64, outputs: &OutputImage, inputs: &InputImage) -> &[BlockStart] {
+    pub(crate) fn step(&mut self, millis: u64, outputs: &OutputImage, inputs: &InputImage) -> &[Block] {
         let starts = match self.trigger {
             Trigger::AtCycle(cycle) => millis.is_multiple_of(20) && millis / 20 == cycle,
             Trigger::Rising(signal) => {
@@ -260,7 +344,7 @@ fn start(block: &config::Block) -> BlockStart {
         motion_ms: block.motion_ms,
         rapid: block.rapid,
         mode: block.mode,
-        extra: Box::new(BlockExtra {
+        extra: BlockExtra {
             first: false,
             last: false,
             flags: block.flags.clone(),
@@ -275,6 +359,6 @@ fn start(block: &config::Block) -> BlockStart {
             integers: block.integers.clone(),
             reals: block.reals.clone(),
             axes: block.axes.clone(),
-        }),
+        },
     }
 }

@@ -1,5 +1,6 @@
 //! The machine as a whole.
 
+use alloc::collections::VecDeque;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -7,9 +8,10 @@ use core::fmt;
 
 use technol_image::program::FASTEST_PERIODS;
 use technol_image::system::devices::{ANALOG_CHANNELS, ANALOG_OUTPUT};
+use technol_runtime::Block;
 
 use crate::analog::{AnalogInputs, Volts};
-use crate::block::{BlockStart, Program};
+use crate::block::Program;
 use crate::compile::{Compiler, ConfigError};
 use crate::config::MachineConfig;
 use crate::contact::Contact;
@@ -37,7 +39,7 @@ const DEFAULT_FASTEST: u16 = 1000;
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlantEvent {
     /// The control starts a block.
-    StartBlock(BlockStart),
+    StartBlock(Block),
     /// A key with a PLC command was pressed or released.
     Command {
         /// Its code.
@@ -93,6 +95,8 @@ pub struct Plant {
     /// Outputs with a short circuit; `None` while there is none.
     shorted: Option<[u8; OUTPUT_PORTS]>,
     programs: Vec<Program>,
+    /// What happened in the last millisecond and was not fetched yet. There is room for all that can happen in one.
+    events: VecDeque<PlantEvent>,
     control_keys: ControlKeys,
     control: ControlSettings,
     fast_inputs: Vec<u8>,
@@ -145,6 +149,7 @@ impl Plant {
         }
         plant.programs = Program::compile(&config.block, &mut compiler);
         plant.control_keys = ControlKeys::compile(config, &mut compiler);
+        plant.events = VecDeque::with_capacity(plant.most_events());
         plant.control = settings::settings(config, &mut compiler);
         plant.apply_faults();
         plant.has_slaves = !lines.is_empty();
@@ -221,8 +226,20 @@ impl Plant {
         }
     }
 
-    /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are.
-    pub fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) -> Vec<PlantEvent> {
+    /// As much as can happen in a millisecond: two for each key, those of the control, and all programs at once.
+    fn most_events(&self) -> usize {
+        2 * self.keys.len() + 3 + self.block_count()
+    }
+
+    /// Blocks of all its programs.
+    #[must_use]
+    pub fn block_count(&self) -> usize {
+        self.programs.iter().map(Program::len).sum()
+    }
+
+    /// One millisecond: from the outputs to the inputs. Input bits that no element drives stay as they are. What happens
+    /// besides waits for [`Plant::next_event`] until the next step. Asks for no memory.
+    pub fn step(&mut self, outputs: &[u8; OUTPUT_PORTS], inputs: &mut [u8; INPUT_PORTS]) {
         let (mut image, mut seen) = (self.input_image(inputs), self.output_image(outputs));
         let before = image;
         for fault in &self.faults {
@@ -247,7 +264,12 @@ impl Plant {
         for mounted in &self.elements {
             mounted.show_volts(&mut self.analog_inputs);
         }
-        self.events(&seen, &image)
+        self.happen(&seen, &image);
+    }
+
+    /// What happened in the last [`Plant::step`], in order, until there is no more.
+    pub fn next_event(&mut self) -> Option<PlantEvent> {
+        self.events.pop_front()
     }
 
     fn input_image(&self, ports: &[u8; INPUT_PORTS]) -> InputImage {
@@ -265,24 +287,23 @@ impl Plant {
     }
 
     /// What happens besides in a millisecond.
-    fn events(&mut self, outputs: &OutputImage, inputs: &InputImage) -> Vec<PlantEvent> {
-        let mut events = Vec::new();
-        events.extend(self.keys.iter_mut().flat_map(Key::events));
-        self.control_events(outputs, inputs, &mut events);
+    fn happen(&mut self, outputs: &OutputImage, inputs: &InputImage) {
+        self.events.clear();
+        self.events.extend(self.keys.iter_mut().flat_map(Key::events));
+        self.press_control_keys(outputs, inputs);
         for program in &mut self.programs {
             let blocks = program.step(self.millis, outputs, inputs);
-            events.extend(blocks.iter().cloned().map(PlantEvent::StartBlock));
+            self.events.extend(blocks.iter().cloned().map(PlantEvent::StartBlock));
         }
         self.millis += 1;
-        events
     }
 
-    fn control_events(&mut self, outputs: &OutputImage, inputs: &InputImage, events: &mut Vec<PlantEvent>) {
+    fn press_control_keys(&mut self, outputs: &OutputImage, inputs: &InputImage) {
         let world = World { outputs, before: inputs, volts: &self.volts };
         let ControlKeys { start, stop, emergency_stop } = &mut self.control_keys;
         let mut down = |key: &mut Option<ControlKey>, event| {
             if key.as_mut().is_some_and(|key| key.goes_down(world)) {
-                events.push(event);
+                self.events.push_back(event);
             }
         };
         down(emergency_stop, PlantEvent::Stop { emergency: true });

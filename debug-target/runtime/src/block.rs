@@ -1,9 +1,7 @@
 //! The block cycle: functions of a part-program block, MODULE_BLOCK_INIT, movement, MODULE_BLOCK_DONE
 //! (manual 5.2, 8.1, 8.2).
 
-use alloc::boxed::Box;
 use alloc::collections::VecDeque;
-use alloc::vec::Vec;
 use core::fmt;
 
 use technol_image::op::BitRef;
@@ -31,11 +29,18 @@ pub enum BlockMode {
     Other,
 }
 
+/// What copies of a block share, so that handing one on asks for no memory.
+#[cfg(target_has_atomic = "ptr")]
+pub type Shared<T> = alloc::sync::Arc<T>;
+/// What copies of a block share, so that handing one on asks for no memory.
+#[cfg(not(target_has_atomic = "ptr"))]
+pub type Shared<T> = alloc::rc::Rc<T>;
+
 /// A part-program block as handed to the PLC.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
     /// M functions, 0..=99, in the order they are written.
-    pub m: Vec<u8>,
+    pub m: Shared<[u8]>,
     /// T function, at most eight digits.
     pub t: Option<u32>,
     /// Spindle value for PB11/PB12, 0..=7FFFh.
@@ -50,7 +55,7 @@ pub struct Block {
     /// Mode of the start.
     pub mode: BlockMode,
     /// What the block tells beyond its functions; for `BLK[n]`.
-    pub prepared: Option<Box<Prepared>>,
+    pub prepared: Option<Shared<Prepared>>,
 }
 
 impl Block {
@@ -319,7 +324,7 @@ impl BlockCycle {
     }
 
     fn write_functions(&mut self, block: &Block, memory: &mut Memory, control: &mut dyn Control) {
-        for m in &block.m {
+        for m in block.m.iter() {
             let group = self.groups.of(*m);
             m_functions::write(memory, *m, group);
             if group == 3 {

@@ -45,7 +45,7 @@ mod timing;
 mod trace;
 mod validate;
 
-pub use block::{Block, BlockMode, Rejection};
+pub use block::{Block, BlockMode, Rejection, Shared};
 pub use control::{
     AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Call, Control, ControlCall, ControlMessage, Hold,
     NoControl, Rate,

@@ -237,7 +237,7 @@ fn set_flag(memory: &mut Memory, number: u32, flag: u32) {
 fn write(memory: &mut Memory, groups: &Groups, number: u32, block: &Block) {
     let base = at(number);
     memory.fill(base as usize, record::BITS_LEN as usize, 0);
-    for m in &block.m {
+    for m in block.m.iter() {
         let group = u32::from(groups.of(*m));
         set_bit(memory, number, record::M_CHANGED, group);
         memory.set_dword(base + record::M + 4 * group, to_bcd(u32::from(*m)));

@@ -1,6 +1,6 @@
 //! The part-program block as the program sees it: functions (manual 8.2) and prepared blocks (8.3).
 
-use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared};
+use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared, Shared};
 
 use crate::plc::Plc;
 
@@ -35,14 +35,14 @@ fn three() -> [Block; 3] {
     prepared.axes[2] = Some(-12.5);
     prepared.values[BlockReal::BlockLen as usize] = Some(20.0);
     let first = Block {
-        m: vec![3, 77],
+        m: [3, 77].into(),
         t: Some(300),
         h: Some(6),
         rapid: true,
-        prepared: Some(Box::new(prepared)),
+        prepared: Some(Shared::new(prepared)),
         ..Block::default()
     };
-    let second = Block { m: vec![0, 4], t: Some(12), ..Block::default() };
+    let second = Block { m: [0, 4].into(), t: Some(12), ..Block::default() };
     [first, second, Block::default()]
 }
 
@@ -133,7 +133,7 @@ fn the_block_whose_number_is_in_bx() {
 
 /// A block with these M functions that moves for a second.
 fn with(m: &[u8]) -> [Block; 1] {
-    [Block { m: m.to_vec(), motion_ms: 1000, ..Block::default() }]
+    [Block { m: m.into(), motion_ms: 1000, ..Block::default() }]
 }
 
 #[test]
@@ -217,8 +217,8 @@ fn m40_chooses_the_gear_for_the_speed() {
     ] {
         let mut prepared = Prepared::default();
         prepared.set(BlockReal::SpindleSpeed, speed);
-        let prepared = Some(Box::new(prepared));
-        plc.command(Command::StartBlock(Block { m, motion_ms: 40, prepared, ..Block::default() }));
+        let prepared = Some(Shared::new(prepared));
+        plc.command(Command::StartBlock(Block { m: m.into(), motion_ms: 40, prepared, ..Block::default() }));
         plc.run(1);
         assert_eq!(plc.differences(then), [""; 0], "S{speed}");
         plc.run(3);

@@ -126,11 +126,11 @@ fn a_position_error_that_is_too_great_ends_the_movement_and_start_does_not_lead_
 
 #[test]
 fn a_block_without_any_feed_is_refused_and_the_program_ends_with_it() {
-    use technol_runtime::{Block, Prepared, Rejection};
+    use technol_runtime::{Block, Prepared, Rejection, Shared};
     let mut plc = started("", "LDR I0");
     let mut prepared = Prepared::default();
     prepared.axes[0] = Some(10.0);
-    plc.command(Command::StartBlock(Block { prepared: Some(Box::new(prepared)), ..Block::default() }));
+    plc.command(Command::StartBlock(Block { prepared: Some(Shared::new(prepared)), ..Block::default() }));
     plc.command(Command::StartBlock(Block::default()));
     let events = plc.events(10);
     assert!(events.contains(&RuntimeEvent::BlockRejected(Rejection::NoFeed)));

@@ -2,10 +2,11 @@
 
 use technol_analysis::project::{FileReader, load};
 use technol_analysis::{AnalysisHost, Change};
-use technol_image::Program;
+use technol_image::{Op, Program};
 use technol_machine::{
     CanPacket, Column, ControlData, ElementValue, MessageKind, MessageText, Table, Value, ValueKind,
 };
+use technol_runtime::Runtime;
 use technol_target::Simulation;
 
 /// One file as a project.
@@ -32,6 +33,23 @@ pub(crate) fn program() -> Program {
 
 /// What the instructions of the control find, so that they do not end at once.
 pub(crate) fn furnish(simulation: &mut Simulation) {
+    simulation.set_data(data());
+    let control = simulation.control_mut();
+    control.serial_mut(1);
+    control.can_unit_mut(2, 1, 3);
+    control.can_unit_mut(2, 1, 4);
+    control.can_drive_mut(2);
+    let ethercat = control.ethercat_mut();
+    if let Some(slave) = ethercat.slave_mut(1) {
+        slave.set_object(0x603F, 0, &[0x34, 0x12], false);
+        slave.set_object(0x6060, 0, &[1], false);
+        slave.set_register(0, 51, &[1, 2, 3, 4], false);
+    }
+    let _ = ethercat.slave_mut(2);
+}
+
+/// What the control has on its disk.
+pub(crate) fn data() -> ControlData {
     let text = |text: &str| text.as_bytes().to_vec();
     let columns = [
         ("Name", ValueKind::Text),
@@ -48,7 +66,7 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         ("Name", Value::Text(text("xyz"))),
         ("Raw", Value::Bytes(vec![9; 40])),
     ];
-    simulation.set_data(ControlData {
+    ControlData {
         parameters: parameters.map(|(id, value)| (text(id), value)).into(),
         constants: [(text("Offs"), 260)].into(),
         tables: vec![Table { columns, rows: vec![row.clone(), row, Vec::new()] }],
@@ -61,16 +79,6 @@ pub(crate) fn furnish(simulation: &mut Simulation) {
         .map(|(number, kind, persistent, it)| (number, MessageText { kind, persistent, text: text(it) }))
         .into(),
         ..ControlData::default()
-    });
-    let control = simulation.control_mut();
-    control.serial_mut(1);
-    control.can_unit_mut(2, 1, 3);
-    control.can_unit_mut(2, 1, 4);
-    control.can_drive_mut(2);
-    let ethercat = control.ethercat_mut();
-    if let Some(slave) = ethercat.slave_mut(1) {
-        slave.set_object(0x603F, 0, &[0x34, 0x12], false);
-        slave.set_object(0x6060, 0, &[1], false);
     }
 }
 
@@ -88,6 +96,18 @@ pub(crate) fn feed(simulation: &mut Simulation, cycle: u32) {
     control.set_input("In", ElementValue::from(i64::from(value))).expect("an input");
     control.edit_table(0, 0, 1, Value::Int(i64::from(value)));
     control.select_row(0, cycle as usize % 3);
+}
+
+/// The operations of all statements that were executed at least once, while statements are counted. A jump out of the middle of
+/// a statement is not seen: what stands behind it counts too.
+#[allow(dead_code)] // a fuzz target does not count
+pub(crate) fn executed(plc: &Runtime) -> Vec<Op> {
+    let program = plc.program();
+    let counts = plc.statement_counts().expect("somebody counts");
+    let mut starts = program.statements.clone();
+    starts.push(program.code.len() as u32);
+    let ranges = starts.windows(2).map(|pair| pair[0] as usize..pair[1] as usize);
+    ranges.filter(|range| counts[range.start] > 0).flat_map(|range| program.code[range].to_vec()).collect()
 }
 
 /// Everything that the program does went all the way through.

@@ -30,22 +30,34 @@ pub(crate) fn available(program: &str) -> bool {
 /// The program `replay`, in front of the library; `None`, loudly, without a C compiler.
 pub(crate) fn replay() -> Option<&'static Path> {
     static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let library = library();
-        if cfg!(windows) || !available("cc") {
-            eprintln!("SKIPPED: no C compiler (`cc`): the library was built, but nothing was run from C");
-            return None;
-        }
-        // Tests run at the same time, each in a process of its own.
-        let name = format!("replay-{}", std::process::id());
-        let program = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let mut command = Command::new("cc");
-        command.args(["-std=c11", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-o"]).arg(&program);
-        command.arg(folder().join("example").join("replay.c")).arg(library);
-        let output = command.output().expect("cc runs");
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "the C program cannot be built:\n{said}");
-        Some(program)
-    });
-    PROGRAM.get().and_then(Option::as_deref)
+    PROGRAM.get_or_init(|| example("replay")).as_deref()
+}
+
+/// The program `control`, in the same way.
+pub(crate) fn control() -> Option<&'static Path> {
+    static PROGRAM: OnceLock<Option<PathBuf>> = OnceLock::new();
+    PROGRAM.get_or_init(|| example("control")).as_deref()
+}
+
+fn example(name: &str) -> Option<PathBuf> {
+    let library = library();
+    if cfg!(windows) || !available("cc") {
+        eprintln!("SKIPPED: no C compiler (`cc`): the library was built, but nothing was run from C");
+        return None;
+    }
+    // Tests run at the same time, each in a process of its own.
+    let program = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()));
+    let mut command = Command::new("cc");
+    command.args(["-std=c11", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-o"]).arg(&program);
+    command.arg(folder().join("example").join(format!("{name}.c"))).arg(library);
+    let output = command.output().expect("cc runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "the C program cannot be built:\n{said}");
+    Some(program)
+}
+
+/// Text of the header.
+pub(crate) fn header() -> String {
+    let path = folder().join("include").join("technol.h");
+    std::fs::read_to_string(path).expect("the header of the library")
 }

@@ -91,10 +91,11 @@ fn recording() -> Recording {
         if plc.millis() == 8_000 {
             plant.set_fault("ccw-contactor-dead", true).expect("the lathe has this fault");
         }
-        for event in plant.step(plc.outputs(), &mut inputs) {
+        plant.step(plc.outputs(), &mut inputs);
+        while let Some(event) = plant.next_event() {
             let PlantEvent::StartBlock(start) = event else { continue };
-            let technol_machine::BlockStart { m, s, t, h, motion_ms, rapid, .. } = start;
-            let block = Block { m, t, s, h, motion_ms, rapid, mode: BlockMode::Auto, prepared: None };
+            // What `technol_block` does not have is not recorded.
+            let block = Block { prepared: None, ..start };
             recording.block(&block);
             plc.command(Command::StartBlock(block));
         }
@@ -133,6 +134,77 @@ fn a_c_program_drives_the_lathe_as_the_rust_runtime_does() {
     let [loaded, most, left] = numbers[..] else { panic!("{memory}") };
     assert!(most < loaded + 2_048 && most < 1 << 20, "ticks take no memory: {memory}");
     assert_eq!(left, 0, "all of it comes back");
+}
+
+/// A program of these lines in MODULE_MAIN.
+pub(crate) fn lines(main: &str) -> Vec<u8> {
+    let source = format!(
+        "DATA\nO: DFM LIC,KNOWN,UNKNOWN,,,,,\nDELAY: DS 2\nPACKET: STR 12\nDATA_END\nMODULE_MAIN\n{main}\nMODULE_MAIN_END\n\
+         MODULE_INPUT\nMODULE_INPUT_END\nMODULE_BLOCK_INIT\nMODULE_BLOCK_INIT_END\nMODULE_BLOCK_DONE\n\
+         MODULE_BLOCK_DONE_END\nMODULE_INIT\n MODULE_INIT_FINISHED\nMODULE_INIT_END\nMODULE_CLEAR\nMODULE_CLEAR_END\n\
+         MODULE_HALT\nMODULE_HALT_END\nSTOP\n"
+    );
+    struct Lone(String);
+    impl technol_analysis::project::FileReader for Lone {
+        fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+            if path == "plc.plc" { Ok(self.0.clone().into_bytes()) } else { Err("no such file".to_owned()) }
+        }
+    }
+    let program = crate::families::build("plc.plc", &Lone(source));
+    technol_image::encode(&technol_image::Image { program, debug: None })
+}
+
+fn controlled(control: &Path, image: &[u8]) -> String {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("image");
+    std::fs::write(&file, image).expect("the image is written");
+    let output = Process::new(control).arg(file).arg("45").output().expect("control runs");
+    String::from_utf8(output.stdout).expect("it prints ASCII")
+}
+
+#[test]
+fn a_control_in_c_carries_out_what_the_program_asks_for() {
+    let Some(control) = bare::control() else { return };
+    let image = lines(
+        " LDR_LIC FeaturePlc0\n WR LIC\n CNF_GET_INT DELAY,'Delay'\n WR KNOWN\n CNF_GET_INT DELAY,'Other'\n WR UNKNOWN\n\
+         \x20LOD CNST.123h\n STO WORD.PACKET\n LOD CNST.2\n STO BYTE.(PACKET+3)\n LOD DELAY\n STO BYTE.(PACKET+4)\n\
+         \x20CAN_SEND 2,PACKET\n LOD O\n STO P0OUT\n LOD DELAY\n STO P1OUT",
+    );
+    insta::assert_snapshot!(controlled(control, &image), @r"
+    started cold
+    0 ms: CAN 2 sends 23 01 00 02 07 00 00 00 00 00 00 00
+    20 ms: CAN 2 sends 23 01 00 02 07 00 00 00 00 00 00 00
+    40 ms: CAN 2 sends 23 01 00 02 07 00 00 00 00 00 00 00
+    P0OUT 03, P1OUT 07, 0 stops
+    fault: none
+    ");
+}
+
+#[test]
+fn what_a_control_in_c_does_not_have_faults_the_plc_by_name() {
+    let Some(control) = bare::control() else { return };
+    let image = lines(" ANALOG DELAY,3\n LOD CNST.5\n STO P0OUT");
+    insta::assert_snapshot!(controlled(control, &image), @r"
+    started cold
+    P0OUT 00, P1OUT 00, 0 stops
+    fault: the control of this target does not carry out ANALOG in MODULE_MAIN of file 1, operation 0, cycle 0
+    ");
+    // Another one, whose index leads outside memory.
+    let image = lines(" LOD CNST.-1\n MOV BX,CX\n CAN_SEND 2,PACKET[BX]");
+    insta::assert_snapshot!(controlled(control, &image), @r"
+    started cold
+    P0OUT 00, P1OUT 00, 0 stops
+    fault: indexed access of 0 bytes at address 98306 is outside PLC memory in MODULE_MAIN of file 1, operation 2, cycle 0
+    ");
+}
+
+#[test]
+fn the_header_numbers_the_instructions_as_images_do() {
+    let header = bare::header();
+    for (number, service) in technol_image::Service::ALL.iter().enumerate() {
+        let line = format!(" TECHNOL_{} = {number},", service.name());
+        assert!(header.contains(&line), "{line}");
+    }
 }
 
 #[test]

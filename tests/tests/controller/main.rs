@@ -6,6 +6,7 @@ mod bare;
 #[path = "../common/families.rs"]
 mod families;
 mod from_c;
+mod in_rust;
 mod lathe;
 mod same_again;
 mod stack;

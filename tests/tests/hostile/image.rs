@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use technol_analysis::project::FileReader;
-use technol_image::{Image, Program, container, decode, encode};
+use technol_image::{Image, Op, Program, Service, container, decode, encode};
 use technol_machine::{CanPacket, ElementValue, MachineConfig, Value};
 use technol_runtime::{Block, Command, Limits, Resume, TickOutcome};
 use technol_target::{Simulation, parse_machine};
@@ -24,7 +24,7 @@ pub(crate) const RAW: u8 = 0xC0;
 /// Milliseconds that an image runs.
 const MILLIS: u32 = 240;
 /// Operations of a pass of a module.
-const PER_PASS: u32 = 400;
+const PER_PASS: u32 = 6_000;
 /// Modules of a program that is run: each has its budget, and images may hold any number.
 const MODULES: usize = 64;
 /// Stops at which the whole state is looked at.
@@ -68,6 +68,33 @@ pub(crate) fn bases() -> usize {
 pub(crate) fn file_of(base: usize) -> Vec<u8> {
     let image = Image { program: BASES[base % BASES.len()].program.clone(), debug: None };
     [vec![RAW], encode(&image)].concat()
+}
+
+/// The operations that a real program executes here when nothing of it was changed.
+#[allow(dead_code)] // the fuzz target does not count
+pub(crate) fn executed(base: usize) -> Vec<Op> {
+    let base = &BASES[base % BASES.len()];
+    let mut simulation = Simulation::new(base.program.clone(), base.machine.as_ref()).expect("it is real");
+    simulation.runtime_mut().set_limits(Limits { per_pass: PER_PASS, ..Limits::default() });
+    simulation.runtime_mut().count_statements(true);
+    families::furnish(&mut simulation);
+    simulation.start(true);
+    for millis in 0..MILLIS {
+        simulation.tick(&mut Vec::new());
+        if millis.is_multiple_of(20) {
+            families::feed(&mut simulation, millis / 20);
+        }
+    }
+    simulation.shut_down(&mut Vec::new());
+    assert_eq!(simulation.runtime().fault(), None, "a seed runs through");
+    families::executed(simulation.runtime())
+}
+
+/// The service behind an operation of a real program.
+#[allow(dead_code)] // the fuzz target does not count
+pub(crate) fn service(base: usize, op: &Op) -> Option<Service> {
+    let Op::Service(index) = op else { return None };
+    Some(BASES[base % BASES.len()].program.services[usize::from(*index)].service)
 }
 
 /// Loads and runs what an input stands for. It must be refused, or run into faults that are told; it must not panic, nor hang.
@@ -232,7 +259,7 @@ fn act(simulation: &mut Simulation, byte: u8, millis: u32, statements: &[u32]) {
         2 => plc.pause(),
         3 => plc.set_line_by_line(value.is_multiple_of(2)),
         4 => plc.command(Command::StartBlock(Block {
-            m: vec![value, 3, 30],
+            m: [value, 3, 30].into(),
             motion_ms: 5,
             ..Block::default()
         })),

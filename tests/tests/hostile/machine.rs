@@ -1,10 +1,15 @@
 //! Texts of machine files: read, and what is right is put behind a program.
 
+#[allow(dead_code)] // other tests use the rest
+#[path = "../common/families.rs"]
+mod families;
+
 use std::path::Path;
 use std::sync::LazyLock;
 
 use technol_image::Program;
 use technol_image::system;
+use technol_machine::CanPacket;
 use technol_target::{Simulation, parse_machine};
 
 /// Milliseconds that a machine runs.
@@ -17,9 +22,30 @@ pub(crate) fn seeds() -> Vec<String> {
     let book = include_str!("../../../docs/machine.md");
     let blocks = book.split("```toml").skip(1).filter_map(|rest| rest.split("```").next());
     let lathe = include_str!("../../../examples/lathe/machine.toml");
-    let seeds: Vec<String> = blocks.chain([lathe]).map(str::to_owned).collect();
-    assert!(seeds.len() > 5, "the book shows machine files");
+    let seeds: Vec<String> = blocks.chain(EVERY_KEY).chain([lathe]).map(str::to_owned).collect();
+    assert!(seeds.len() > 8, "the book shows machine files");
     seeds
+}
+
+/// Files that have each key of each table at least once.
+pub(crate) const EVERY_KEY: [&str; 3] = [
+    include_str!("machines/elements.toml"),
+    include_str!("machines/motion.toml"),
+    include_str!("machines/buses.toml"),
+];
+
+/// The keys of a table, or the tables themselves (`""`), as the reader lists them when it meets another.
+#[allow(dead_code)] // the fuzz target has no use for it
+pub(crate) fn keys(table: &str) -> Vec<String> {
+    let told = [
+        format!("{table}\nno-such-key = 1"),
+        format!("{}\nno-such-key = 1", table.replace("[[", "[").replace("]]", "]")),
+    ];
+    let errors = told.iter().filter_map(|text| parse_machine(Path::new("machine.toml"), text).err());
+    let message = errors.flatten().map(|error| error.message).find(|message| message.contains("expected"));
+    let message = message.unwrap_or_else(|| panic!("{table} takes any key"));
+    let (_, listed) = message.split_once("expected").expect("it was looked for");
+    listed.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
 /// Reads a machine file, and runs what it describes. Answers whether it was right; what is wrong has at least one error with a
@@ -42,14 +68,8 @@ pub(crate) fn check(text: &str) -> bool {
     }
 }
 
-/// Nothing but the interface: what a machine does then, it does by itself.
-static PROGRAM: LazyLock<Program> = LazyLock::new(|| {
-    use technol_image::program::{Region, RegionKind};
-    Program::without_code(
-        String::new(),
-        vec![Region { kind: RegionKind::System, start: 0, len: system::LEN }],
-    )
-});
+/// A program that talks to all that a machine file can describe: slaves, drives, units, axes, named inputs.
+static PROGRAM: LazyLock<Program> = LazyLock::new(families::program);
 
 fn run(machine: &technol_machine::MachineConfig) {
     // What the check lets through can be loaded.
@@ -61,6 +81,7 @@ fn run(machine: &technol_machine::MachineConfig) {
         simulation.plant().keys().map(|(name, _)| name.to_owned()).take(SWITCHES).collect();
     let faults: Vec<String> =
         simulation.plant().faults().map(|(name, _)| name.to_owned()).take(SWITCHES).collect();
+    simulation.set_data(families::data());
     simulation.start(true);
     let mut events = Vec::new();
     for millis in 0..MILLIS {
@@ -71,6 +92,13 @@ fn run(machine: &technol_machine::MachineConfig) {
             let at = system_output(millis / 50);
             let _ = simulation.runtime_mut().write_memory(at, &[0xFF; 8]);
         }
+        if millis % 20 == 3 {
+            let control = simulation.control_mut();
+            control
+                .can_mut()
+                .feed(1 + (millis % 40 / 20) as u8, CanPacket::new(0x581, &[0x60, millis as u8]));
+            control.serial_mut(1).feed(&[millis as u8; 3]);
+        }
         let plant = simulation.plant_mut();
         for name in keys.iter().filter(|_| millis % 30 == 7) {
             plant.press(name, millis % 60 == 7).expect("a key of its own");
@@ -79,7 +107,7 @@ fn run(machine: &technol_machine::MachineConfig) {
             plant.set_fault(name, millis % 140 == 9).expect("a fault of its own");
         }
     }
-    assert!(simulation.runtime().fault().is_none(), "a program without code does not fault");
+    assert_eq!(simulation.runtime().fault(), None, "a machine does not make a program fault");
     let _ = simulation.state_hash();
 }
 

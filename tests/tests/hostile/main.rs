@@ -6,7 +6,10 @@ mod link;
 mod machine;
 mod text;
 
+use std::collections::BTreeSet;
 use std::path::Path;
+
+use technol_image::{Op, Service};
 
 /// Numbers that look random and are the same each time.
 struct Numbers(u64);
@@ -36,6 +39,30 @@ fn real_programs_run_unchanged() {
         assert!(image::check(&[base as u8]), "program {base}");
         assert!(image::check(&image::file_of(base)), "file of program {base}");
     }
+}
+
+/// A variant of an enumeration by its number in files.
+fn variant(op: &Op) -> u8 {
+    postcard::to_allocvec(op).expect("plain data")[0]
+}
+
+#[test]
+fn the_seeds_of_images_execute_every_operation_and_every_service() {
+    let (mut ops, mut services) = (BTreeSet::new(), BTreeSet::new());
+    for base in 0..image::bases() {
+        let executed = image::executed(base);
+        ops.extend(executed.iter().map(variant));
+        services.extend(executed.iter().filter_map(|op| image::service(base, op)));
+    }
+    let missing: Vec<_> = Service::ALL.iter().filter(|it| !services.contains(it)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+    // Zeros are a right operand of everything. From 128 on a number takes two bytes.
+    let every = (0..128).filter_map(|n| {
+        let bytes: Vec<u8> = [n].into_iter().chain([0; 60]).collect();
+        postcard::take_from_bytes::<Op>(&bytes).ok().map(|(op, _)| op)
+    });
+    let missing: Vec<_> = every.filter(|op| !ops.contains(&variant(op))).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
 
 #[test]
@@ -73,6 +100,44 @@ fn damaged_files_are_refused_or_run_without_panic() {
             assert_eq!(image::check(&damaged), same, "every damage is noticed");
         }
     }
+}
+
+#[test]
+fn the_seeds_of_machine_files_are_right_and_have_every_key() {
+    let seeds = machine::seeds();
+    for seed in &seeds {
+        let _ = machine::check(seed);
+    }
+    // Those of the book are pieces, which need not stand alone.
+    let whole = machine::EVERY_KEY;
+    for seed in whole {
+        let errors = technol_target::parse_machine(Path::new("machine.toml"), seed).err();
+        assert_eq!(errors, None);
+    }
+    let mut missing = Vec::new();
+    for table in machine::keys("") {
+        let keys = machine::keys(&format!("[[{table}]]"));
+        let sections: Vec<&str> = whole.iter().flat_map(|seed| tables(seed, &table)).collect();
+        let has = |key: &str| {
+            let begins = |line: &str| line.strip_prefix(key).is_some_and(|rest| rest.starts_with(" ="));
+            sections.iter().any(|section| section.lines().any(begins))
+        };
+        missing.extend(keys.iter().filter(|key| !has(key)).map(|key| format!("{table}.{key}")));
+    }
+    assert_eq!(missing, [""; 0]);
+}
+
+/// The text of the tables of this name.
+fn tables<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
+    let heads = [format!("[[{name}]]"), format!("[{name}]")];
+    let section = |text: &'a str| {
+        let (head, rest) = text.split_once('\n')?;
+        heads.iter().any(|it| it == head).then(|| rest.split("\n[").next().unwrap_or(rest))
+    };
+    text.match_indices('[')
+        .filter(|(at, _)| *at == 0 || text[..*at].ends_with('\n'))
+        .filter_map(|(at, _)| section(&text[at..]))
+        .collect()
 }
 
 #[test]

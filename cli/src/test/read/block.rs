@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 use super::super::fields::{Node, Source, get, integer};
 use super::step::{LONGEST, one_of};
 
-const BLOCK: &[&str] = &[
+pub(super) const BLOCK: &[&str] = &[
     "m",
     "s",
     "t",
@@ -69,7 +69,7 @@ pub(super) fn block(table: &DeTable<'_>, source: &mut Source<'_>) -> BlockStart 
         motion_ms: motion_ms.unwrap_or(0) as u32,
         rapid: rapid.unwrap_or(false),
         mode: mode.unwrap_or_default(),
-        extra: Box::new(extra(table, source)),
+        extra: extra(table, source),
     }
 }
 

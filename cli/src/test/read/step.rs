@@ -10,7 +10,7 @@ use super::block::block;
 use super::{Reader, inside};
 use crate::run::changes::input_port;
 
-const STEP: &[&str] = &[
+pub(super) const STEP: &[&str] = &[
     "name",
     "start",
     "stop",

@@ -3,7 +3,9 @@
 use technol_image::op::{Arith, BitRef, Cond, Op, Source, Width};
 use technol_image::program::ModuleKind;
 use technol_image::system::{self, PB00};
-use technol_runtime::{Block, BlockFlag, BlockFlags, BlockMode, Command, Prepared, Rejection, RuntimeEvent};
+use technol_runtime::{
+    Block, BlockFlag, BlockFlags, BlockMode, Command, Prepared, Rejection, RuntimeEvent, Shared,
+};
 
 use crate::support::{Bench, Builder, GLOBAL as A, bit, cell, count, indexed, ldr, mem, set, sto};
 
@@ -190,7 +192,7 @@ fn static_bits_stay_and_one_block_bits_go_with_the_block() {
 fn numbers_and_mode_are_in_their_cells() {
     let mut bench = machine();
     bench.command(Command::StartBlock(Block {
-        m: vec![10],
+        m: [10].into(),
         t: Some(12_345_678),
         s: Some(0x7FFF),
         h: Some(42),
@@ -324,9 +326,9 @@ fn the_status_follows_the_block() {
     bench.cycles(1);
     let idle = status(&bench);
     let flags = BlockFlags::default().with(BlockFlag::Backward);
-    let prepared = Some(Box::new(Prepared { flags, ..Prepared::default() }));
+    let prepared = Some(Shared::new(Prepared { flags, ..Prepared::default() }));
     bench.plc.set_conditional_stop(true);
-    bench.command(Command::StartBlock(Block { m: vec![1], motion_ms: 60, prepared, ..Block::default() }));
+    bench.command(Command::StartBlock(Block { m: [1].into(), motion_ms: 60, prepared, ..Block::default() }));
     bench.command(Command::StartBlock(block(&[], 0)));
     let mut seen = vec![idle];
     for cycle in 0..9 {
@@ -427,7 +429,7 @@ fn a_stop_in_the_closing_functions_holds_the_blocks_behind() {
 #[test]
 fn the_end_of_the_part_program_is_the_end_of_its_blocks() {
     let first = || {
-        Some(Box::new(Prepared {
+        Some(Shared::new(Prepared {
             flags: BlockFlags::default().with(BlockFlag::First),
             ..Prepared::default()
         }))

@@ -3,7 +3,7 @@
 use technol_image::op::{Op, Width};
 use technol_image::program::ModuleKind;
 use technol_image::system::{self, BLOCK_RECORD_COUNT, BLOCK_RECORDS, block_record as record};
-use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared};
+use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared, Shared};
 
 use crate::support::{Bench, Builder, GLOBAL as A, lod, mem, sto};
 
@@ -114,16 +114,16 @@ fn what_a_block_does_not_program_is_that_of_the_block_before() {
         prepared.set(n, f64::from(value));
     }
     let full = Block {
-        m: vec![0, 1, 3, 77],
+        m: [0, 1, 3, 77].into(),
         t: Some(12_345_678),
         h: Some(42),
         motion_ms: 20,
-        prepared: Some(Box::new(prepared)),
+        prepared: Some(Shared::new(prepared)),
         ..Block::default()
     };
     let mut bench = machine();
     bench.command(Command::StartBlock(full));
-    bench.command(Command::StartBlock(Block { m: vec![4], ..Block::default() }));
+    bench.command(Command::StartBlock(Block { m: [4].into(), ..Block::default() }));
     bench.cycles(1);
     assert!(bench.bit(system::G33PI));
     let m_bits = |groups: &[u32]| groups.iter().map(|group| 1_u64 << group).sum::<u64>();

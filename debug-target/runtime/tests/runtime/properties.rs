@@ -298,7 +298,7 @@ fn start(program: &Program) -> Bench {
     let mut bench = Bench::new(program.clone());
     bench.plc.set_limits(Limits { per_pass: 2_000, per_cycle: Some(40), per_fast: Some(10) });
     bench.command(Command::StartPlc { cold: true });
-    bench.command(Command::StartBlock(Block { m: vec![3], motion_ms: 30, ..Block::default() }));
+    bench.command(Command::StartBlock(Block { m: [3].into(), motion_ms: 30, ..Block::default() }));
     bench
 }
 
@@ -440,7 +440,11 @@ fn run_wild(program: Program) {
         match n {
             0 => plc.command(Command::StartPlc { cold: true }),
             10 => {
-                plc.command(Command::StartBlock(Block { m: vec![3, 10], motion_ms: 5, ..Block::default() }));
+                plc.command(Command::StartBlock(Block {
+                    m: [3, 10].into(),
+                    motion_ms: 5,
+                    ..Block::default()
+                }));
             }
             40 => drop(plc.set_breakpoints(&everywhere)),
             70 => drop(plc.set_breakpoints(&[])),
