@@ -180,7 +180,10 @@ impl Loader<'_> {
                     self.project.files.push(LoadedFile { path, text, encoding, order });
                 }
                 Err(why) => {
-                    let message = format!("{name} cannot be read: {why}");
+                    let message = format!(
+                        "{name} cannot be read: {why}; create it, or correct `main` and `files` of [project] in \
+                         technol.toml, which name the files of the program"
+                    );
                     self.manifest_problem(&rules::MISSING_FILE, &entry, message);
                 }
             }

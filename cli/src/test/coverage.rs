@@ -43,15 +43,15 @@ impl<'a> Coverage<'a> {
         }
         let mut functions = Vec::new();
         let procedures =
-            program.procedures.iter().map(|procedure| (procedure.start, procedure.name.as_str()));
+            program.procedures.iter().map(|it| (it.start, it.start, it.name.as_str()));
         let sequences = debug.mechanisms.iter().filter_map(|mechanism| {
             let sequence = program.sequences.get(usize::from(mechanism.sequence))?;
             // Its MECH_BEGIN is executed in each cycle: it has run when what follows has.
-            Some((sequence.start.saturating_add(1), mechanism.name.as_str()))
+            Some((sequence.start, sequence.start.saturating_add(1), mechanism.name.as_str()))
         });
-        for (pc, name) in procedures.chain(sequences) {
-            if let Some((file, line)) = debug.position(pc) {
-                let count = files.get(file).and_then(|lines| lines.get(&line)).copied().unwrap_or(0);
+        for (begin, body, name) in procedures.chain(sequences) {
+            if let (Some((file, line)), Some((of, first))) = (debug.position(begin), debug.position(body)) {
+                let count = files.get(of).and_then(|lines| lines.get(&first)).copied().unwrap_or(0);
                 functions.push((file, line, name, count));
             }
         }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use technol_machine::{INPUT_PORTS, MachineConfig, OUTPUT_PORTS, Plant};
+use technol_target::{MachineFileError, parse_machine};
 
 use super::watch::Look;
 
@@ -14,6 +15,17 @@ pub(super) struct Machine {
     pub(super) faults: Vec<String>,
     /// Input bits that the machine decides on.
     driven: Vec<u8>,
+    /// It could not be read: nobody knows what keys and faults it has.
+    pub(super) unknown: bool,
+}
+
+/// Why there is no machine.
+#[derive(Debug)]
+pub(super) enum Unusable {
+    /// Its file cannot be read.
+    Missing(String),
+    /// What is wrong in it.
+    Wrong(Vec<MachineFileError>),
 }
 
 /// Every machine once, however many tests use it.
@@ -32,14 +44,24 @@ pub(super) struct Choice {
 
 impl Machines {
     /// The number of a machine, read unless it is known already.
-    pub(super) fn number(&mut self, choice: &Choice) -> Result<usize, String> {
+    ///
+    /// # Errors
+    /// It cannot be used; told once, then it is one of which nothing is known.
+    pub(super) fn number(&mut self, choice: &Choice) -> Result<usize, Unusable> {
         if let Some(known) = self.list.iter().position(|(known, _)| known == choice) {
             return Ok(known);
         }
         let machine = match &choice.file {
             Some(file) => {
                 self.looked.add(file.clone());
-                Machine::read(file, choice.part_program)?
+                match Machine::read(file, choice.part_program) {
+                    Ok(machine) => machine,
+                    Err(error) => {
+                        let unknown = Machine { unknown: true, ..Machine::default() };
+                        self.list.push((choice.clone(), unknown));
+                        return Err(error);
+                    }
+                }
             }
             None => Machine::default(),
         };
@@ -50,8 +72,10 @@ impl Machines {
     /// A machine as it would be read from a file.
     #[cfg(any(test, feature = "fuzzing"))]
     pub(super) fn add(&mut self, file: &Path, config: MachineConfig) {
-        let choice = Choice { file: Some(file.to_owned()), part_program: true };
-        self.list.push((choice, Machine::of(config).expect("the machine is right")));
+        for part_program in [true, false] {
+            let choice = Choice { file: Some(file.to_owned()), part_program };
+            self.list.push((choice, Machine::of(config.clone())));
+        }
     }
 
     pub(super) fn get(&self, number: usize) -> &Machine {
@@ -65,26 +89,31 @@ impl Machines {
 }
 
 impl Machine {
-    fn read(file: &Path, part_program: bool) -> Result<Machine, String> {
-        if !file.is_file() {
-            return Err(format!("there is no machine file {}", file.display()));
-        }
-        let mut config = technol_target::load_machine(file).map_err(|e| e.to_string())?;
+    fn read(file: &Path, part_program: bool) -> Result<Machine, Unusable> {
+        let text = std::fs::read_to_string(file).map_err(|error| {
+            let file = file.display();
+            Unusable::Missing(match error.kind() {
+                std::io::ErrorKind::NotFound => format!("there is no machine file {file}"),
+                _ => format!("the machine file {file} cannot be read: {error}"),
+            })
+        })?;
+        let mut config = parse_machine(file, &text).map_err(Unusable::Wrong)?;
         if !part_program {
             config.block.clear();
         }
-        Machine::of(config)
+        Ok(Machine::of(config))
     }
 
-    fn of(config: MachineConfig) -> Result<Machine, String> {
-        let plant = Plant::compile(&config, &|name| name.parse().ok())
-            .map_err(|e| e.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
-        Ok(Machine {
+    /// The machine of a description that was checked.
+    fn of(config: MachineConfig) -> Machine {
+        let plant = Plant::compile(&config, &|name| name.parse().ok()).unwrap_or_default();
+        Machine {
             keys: plant.keys().map(|(name, _)| name.to_owned()).collect(),
             faults: plant.faults().map(|(name, _)| name.to_owned()).collect(),
             driven: driven(&plant),
             config: Some(config),
-        })
+            unknown: false,
+        }
     }
 
     /// Whether the machine itself decides on a bit of an input port; port 0 is P1IN.

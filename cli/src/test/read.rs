@@ -7,12 +7,13 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use technol_analysis::expression::Target;
+use technol_target::MachineFileError;
 use toml::de::{DeTable, DeValue};
 
 use super::condition::{Condition, Names};
 use super::fields::{Node, Source, entries, get};
-use super::machines::{Choice, Machines};
-use super::scenario::{Action, Check, Guard, ScenarioError, Test, Time};
+use super::machines::{Choice, Machines, Unusable};
+use super::scenario::{Action, Check, Guard, Place, ScenarioError, Test, Time};
 
 /// Keys of a file.
 const FILE: &[&str] = &["machine", "part-program", "never", "always", "test"];
@@ -42,6 +43,12 @@ pub(super) struct ScenarioFile<'a> {
     pub(super) text: &'a str,
 }
 
+/// A mistake in a machine file keeps its own place.
+fn of_machine(error: MachineFileError) -> ScenarioError {
+    let place = Place { line: error.line, column: error.col };
+    ScenarioError { file: error.file.display().to_string(), place, message: error.message }
+}
+
 impl Reader<'_> {
     /// The tests of a file.
     ///
@@ -61,7 +68,7 @@ impl Reader<'_> {
         if errors.is_empty() {
             return Ok(tests);
         }
-        errors.sort_by_key(|error| error.place);
+        errors.sort_by(|a, b| (&a.file, a.place).cmp(&(&b.file, b.place)));
         errors.dedup();
         Err(errors)
     }
@@ -104,9 +111,15 @@ impl Reader<'_> {
         }
         let (choice, said) = choice(table, of_file, folder, source);
         let machine = self.machines.number(&choice).unwrap_or_else(|error| {
-            source.error(said.unwrap_or(at), error);
-            // Keys and faults are not known then; the error is enough.
-            self.machines.number(&Choice { file: None, part_program: true }).unwrap_or_default()
+            match error {
+                Unusable::Missing(message) if said.is_none() => {
+                    source.error(at, format!("{message}; `[machine] file` in technol.toml names it"));
+                }
+                Unusable::Missing(message) => source.error(said.unwrap_or(at), message),
+                Unusable::Wrong(errors) => source.errors.extend(errors.into_iter().map(of_machine)),
+            }
+            // It is known from now on as one of which nothing is known.
+            self.machines.number(&choice).unwrap_or_default()
         });
         let mut guards = guards_of_file.to_vec();
         guards.extend(self.guards(table, source));

@@ -70,6 +70,13 @@ fn the_suite_of_the_lathe_passes_and_reaches_every_state() {
     assert!(hits.parse::<u32>().is_ok_and(|hits| hits > 10), "{hits}");
     assert_eq!(record.lines().filter(|l| l.starts_with("DA:") && l.ends_with(",0")).count(), 0, "{record}");
 
+    // A mechanism stands where it begins, and has run as often as what follows.
+    let begin = lathe.line("spindle.plc", "MECH_BEGIN SP_CONTROL");
+    assert!(record.contains(&format!("\nFN:{begin},SP_CONTROL\n")), "{record}");
+    let body = record.lines().find_map(|l| l.strip_prefix(&format!("DA:{},", begin + 1)));
+    let called = record.lines().find_map(|l| l.strip_prefix("FNDA:")?.strip_suffix(",SP_CONTROL"));
+    assert!(called.is_some() && called == body, "{called:?} {body:?}");
+
     run_in(&root(), &["test", "examples/minimal"]).ok();
 }
 

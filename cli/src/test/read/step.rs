@@ -5,6 +5,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::super::condition::{Condition, Mistake, Side};
 use super::super::fields::{Entry, Node, Source, entries, get, names};
+use super::super::machines::Machine;
 use super::super::scenario::{Action, Check, Step, Test, Time};
 use super::block::block;
 use super::{Reader, inside};
@@ -117,7 +118,7 @@ impl Reader<'_> {
             "press" | "release" => {
                 for (span, name) in source.texts(node, "the name of a key") {
                     let down = entry.key == "press";
-                    if known(name, "key", &machine.keys, span.start, source) {
+                    if known(name, "key", machine, span.start, source) {
                         actions.push(Action::Key { name: name.to_owned(), down });
                     }
                 }
@@ -125,7 +126,7 @@ impl Reader<'_> {
             "fault" | "repair" => {
                 for (span, name) in source.texts(node, "the name of a fault") {
                     let on = entry.key == "fault";
-                    if known(name, "fault", &machine.faults, span.start, source) {
+                    if known(name, "fault", machine, span.start, source) {
                         actions.push(Action::Fault { name: name.to_owned(), on });
                     }
                 }
@@ -342,9 +343,12 @@ pub(super) fn one_of<T: Copy>(
     found
 }
 
-fn known(name: &str, what: &str, names: &[String], at: usize, source: &mut Source<'_>) -> bool {
+/// Whether the machine has a key or a fault of this name.
+fn known(name: &str, what: &str, machine: &Machine, at: usize, source: &mut Source<'_>) -> bool {
+    let names = if what == "key" { &machine.keys } else { &machine.faults };
     let known = names.iter().any(|known| known == name);
-    if !known {
+    // A machine that cannot be read was told of already.
+    if !known && !machine.unknown {
         source.error(at, format!("the machine has no {what} `{name}`; it has: {}", listed(names)));
     }
     known
