@@ -42,8 +42,7 @@ impl<'a> Coverage<'a> {
             lines.entry(line.line).and_modify(|sum| *sum += count).or_insert(count);
         }
         let mut functions = Vec::new();
-        let procedures =
-            program.procedures.iter().map(|it| (it.start, it.start, it.name.as_str()));
+        let procedures = program.procedures.iter().map(|it| (it.start, it.start, it.name.as_str()));
         let sequences = debug.mechanisms.iter().filter_map(|mechanism| {
             let sequence = program.sequences.get(usize::from(mechanism.sequence))?;
             // Its MECH_BEGIN is executed in each cycle: it has run when what follows has.

@@ -1,6 +1,7 @@
 //! Images, machine files that were made to do harm: the seeds with some changes each, in every run of the tests.
 //! `cargo xtask fuzz` goes on from here with the same properties.
 
+mod depth;
 mod image;
 mod link;
 mod machine;

@@ -121,12 +121,16 @@ fn what_is_no_toml_or_holds_no_test_says_so() {
 fn a_wrong_machine_is_told_once_at_its_own_place() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let machine = folder.path().join("machine.toml");
-    std::fs::write(&machine, "[[limit]]\noutput-forward = 'P0OUT.0'\ntravel-ms = 0\ninput-at-end = 'P1IN.0'\n").expect("it is written");
+    std::fs::write(
+        &machine,
+        "[[limit]]\noutput-forward = 'P0OUT.0'\ntravel-ms = 0\ninput-at-end = 'P1IN.0'\n",
+    )
+    .expect("it is written");
     let mut fixture = Fixture::new();
     let file = machine.display().to_string().replace('\\', "/");
     // Keys and faults are unknown then, which is no mistake of the tests.
     let said = fixture.mistakes(&format!(
-        "machine = '{file}'\n[[test]]\nname='a'\nstep = [{{press = 'go'}}]\n[[test]]\nname='b'\nstep = [{{fault = 'x', wait = 'y'}}]"
+        "machine = '{file}'\n[[test]]\nname='a'\nstep = [{{press = 'go'}}]\n[[test]]\nname='b'\nstep = [{{fault = 'x'}}]"
     ));
     let said = said.replace(&machine.display().to_string(), "machine.toml");
     insta::assert_snapshot!(said, @"machine.toml:3:13: limit[0].travel-ms: must be at least 1");
