@@ -286,6 +286,8 @@ impl Data {
 
     fn calculates(&mut self, function: Function) {
         self.function = function;
+        // Only those bits count, and a product is one of signed numbers.
+        self.operand.value = signed(self.operand.value as u32, self.operand.shift);
         self.changes = i64::from(mask(self.operand.shift)) | i64::from(function.product);
     }
 
@@ -330,7 +332,7 @@ impl Data {
         let dr = dr & i64::from(self.keep) | self.load.get(on.memory);
         let x = self.operand.get(on.memory);
         on.witness.term(rlo, 0, dr, x, on.regs);
-        let product = signed(dr as u32, shift).wrapping_mul(signed(x as u32, shift));
+        let product = signed(dr as u32, shift).wrapping_mul(x);
         let negates = i64::from(function.negates);
         let x = (x ^ negates).wrapping_sub(negates);
         let common = (dr & x).wrapping_mul(i64::from(function.common));

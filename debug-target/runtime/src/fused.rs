@@ -47,6 +47,8 @@ impl Kind {
     pub(crate) const POP: Kind = Kind(64);
     /// What LDR does first when an equation is open.
     const PUSH: Kind = Kind(128);
+    /// All that have [`Data`].
+    const DATA: Kind = Kind(4 | 8 | 16 | 32 | 64);
 
     #[inline]
     pub(crate) fn is(self, kind: Kind) -> bool {
@@ -298,8 +300,13 @@ pub(crate) fn execute<W: Witness>(
             (term, rest) = (next, behind.iter());
         }
         let kind = term.kind;
+        if kind.is(Kind::DATA) {
+            let on = Machine { memory, regs, witness: &mut witness };
+            (rlo, dr) = code.data[term.at as usize].execute(kind, on, rlo, dr);
+            continue;
+        }
+        witness.term(rlo, 0, dr, 0, regs);
         if kind.is(Kind::SKIP) {
-            witness.term(rlo, 0, dr, 0, regs);
             let skip = Skip::of(*term);
             if skip.when >> u8::from(rlo) & 1 != 0 {
                 let terms = usize::from(skip.terms);
@@ -307,13 +314,9 @@ pub(crate) fn execute<W: Witness>(
                 witness.skip(terms);
                 skipped += u32::from(skip.operations);
             }
-        } else if kind.is(Kind::PUSH) {
-            witness.term(rlo, 0, dr, 0, regs);
+        } else {
             regs.stack = regs.stack << 1 | u8::from(rlo);
             regs.depth += 1;
-        } else {
-            let on = Machine { memory, regs, witness: &mut witness };
-            (rlo, dr) = code.data[term.at as usize].execute(kind, on, rlo, dr);
         }
     }
     regs.rlo = rlo;
