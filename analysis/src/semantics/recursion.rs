@@ -40,9 +40,14 @@ pub(crate) fn recursive_calls<'db>(db: &'db dyn Db, project: Project) -> Vec<Rec
         }
     }
     let mut found = Vec::new();
-    let mut covered = BTreeSet::new();
-    for (start, targets) in &edges {
+    let mut covered: BTreeSet<SymbolKey> = BTreeSet::new();
+    let circling = circling(&edges);
+    for (start, targets) in edges.iter().filter(|(start, _)| circling.contains(start)) {
         for (index, target) in targets.iter().enumerate() {
+            // Both would be in the circle.
+            if covered.contains(start) || covered.contains(target) || !circling.contains(target) {
+                continue;
+            }
             let Some(circle) = path(&edges, target, start) else { continue };
             if !circle.iter().any(|key| covered.contains(key)) {
                 let mut call = calls[start][index].clone();
@@ -54,6 +59,38 @@ pub(crate) fn recursive_calls<'db>(db: &'db dyn Db, project: Project) -> Vec<Rec
         }
     }
     found
+}
+
+/// Procedures that may be in a circle: without those that call nothing, or that nobody calls, once such ones are left out. Most
+/// programs have none, and the search below costs a walk through all calls for each of them.
+fn circling(edges: &BTreeMap<SymbolKey, Vec<SymbolKey>>) -> BTreeSet<&SymbolKey> {
+    let mut back: BTreeMap<&SymbolKey, Vec<&SymbolKey>> = BTreeMap::new();
+    let mut forth: BTreeMap<&SymbolKey, Vec<&SymbolKey>> = BTreeMap::new();
+    for (start, target) in edges.iter().flat_map(|(start, targets)| targets.iter().map(move |it| (start, it)))
+    {
+        forth.entry(start).or_default().push(target);
+        back.entry(target).or_default().push(start);
+    }
+    let mut left: BTreeSet<&SymbolKey> = forth.keys().chain(back.keys()).copied().collect();
+    for (out, into) in [(&forth, &back), (&back, &forth)] {
+        let count =
+            |key: &&SymbolKey| out.get(key).map_or(0, |it| it.iter().filter(|it| left.contains(*it)).count());
+        let mut counts: BTreeMap<&SymbolKey, usize> = left.iter().map(|key| (*key, count(key))).collect();
+        let mut ends: Vec<&SymbolKey> =
+            counts.iter().filter(|(_, n)| **n == 0).map(|(key, _)| *key).collect();
+        while let Some(end) = ends.pop() {
+            left.remove(end);
+            for other in into.get(end).into_iter().flatten() {
+                if let Some(count) = counts.get_mut(other) {
+                    *count -= 1;
+                    if *count == 0 {
+                        ends.push(other);
+                    }
+                }
+            }
+        }
+    }
+    left
 }
 
 /// The shortest way from one procedure to another, both included.

@@ -23,6 +23,8 @@ use technol_target::{Simulation, parse_machine};
 pub(crate) const RAW: u8 = 0xC0;
 /// Milliseconds that an image runs.
 const MILLIS: u32 = 240;
+/// A byte of the script acts each so many milliseconds.
+const ACTS: u32 = 3;
 /// Operations of a pass of a module.
 const PER_PASS: u32 = 6_000;
 /// Modules of a program that is run: each has its budget, and images may hold any number.
@@ -215,7 +217,10 @@ fn run(program: Program, machine: Option<&MachineConfig>, script: &[u8]) -> bool
             let how = [Resume::Continue, over, Resume::StepInto, Resume::StepOut][stops % 4];
             simulation.runtime_mut().resume(how);
         }
-        if let Some(byte) = script.next() {
+        // New break-points make the tables of the code anew, which costs more than running it.
+        if millis % ACTS == 0
+            && let Some(byte) = script.next()
+        {
             act(&mut simulation, byte, millis, &statements);
         }
         if let Some(fault) = simulation.runtime().fault() {
