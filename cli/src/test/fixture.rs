@@ -102,7 +102,7 @@ impl Fixture {
         let mechanisms = Mechanisms::new(&program, &debug, &|_| Some(SOURCE));
         let config: MachineConfig = toml::from_str(MACHINE).expect("the machine is right");
         let mut machines = Machines::default();
-        machines.add(Path::new("machine.toml"), config);
+        machines.add(Path::new("machine.toml"), &config);
         Fixture { program, debug, mechanisms, machines }
     }
 

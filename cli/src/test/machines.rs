@@ -71,7 +71,7 @@ impl Machines {
 
     /// A machine as it would be read from a file.
     #[cfg(any(test, feature = "fuzzing"))]
-    pub(super) fn add(&mut self, file: &Path, config: MachineConfig) {
+    pub(super) fn add(&mut self, file: &Path, config: &MachineConfig) {
         for part_program in [true, false] {
             let choice = Choice { file: Some(file.to_owned()), part_program };
             self.list.push((choice, Machine::of(config.clone())));

@@ -1,6 +1,7 @@
 //! Texts and programs that are nested as deep as somebody likes: what works on them has a stack with an end.
 
-#[allow(dead_code)] // other tests use the rest
+// Each file of this test uses a part; fuzz targets take the files one by one.
+#[allow(dead_code, clippy::duplicate_mod)]
 #[path = "../common/families.rs"]
 mod families;
 

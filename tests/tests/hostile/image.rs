@@ -4,7 +4,8 @@
 //! An input is readable by eye: the first byte names a real program, or says that the rest is an image file. Then come the
 //! number of changes, six bytes for each, and one byte for everything that a debugger and an operator do while it runs.
 
-#[allow(dead_code)] // the tests of the controller use the rest
+// Each file of this test uses a part; fuzz targets take the files one by one.
+#[allow(dead_code, clippy::duplicate_mod)]
 #[path = "../common/families.rs"]
 mod families;
 
