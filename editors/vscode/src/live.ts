@@ -10,6 +10,10 @@ export interface Watch {
   greatest?: string;
   rises?: number;
   falls?: number;
+  /** The bit of a port that it is or is a copy of: it can be forced. */
+  port?: string;
+  /** What that bit is forced to. */
+  forced?: 0 | 1 | null;
 }
 
 export interface Mechanism {
@@ -40,6 +44,35 @@ export interface TracedLine {
 /** Body of the event `technol/trace`. */
 export interface TraceEvent {
   lines: TracedLine[];
+}
+
+/** A bit of a port that is held at a value. */
+export interface ForcedBit {
+  name: string;
+  /** What the program calls it. */
+  symbol?: string | null;
+  value: 0 | 1;
+  /** By this session. */
+  own: boolean;
+  /** Both masks are set. */
+  both: boolean;
+}
+
+/** Body of the event `technol/forced`. */
+export interface ForcedEvent {
+  forced: ForcedBit[];
+}
+
+/** The text beside a forced bit. */
+export function forcedText(bit: ForcedBit): string {
+  const symbol = bit.symbol === undefined || bit.symbol === null ? "" : `${bit.symbol} `;
+  const both = bit.both ? ", which wins over forced to 1" : "";
+  return `${symbol}forced to ${bit.value}${both}${bit.own ? "" : " (not by this session)"}`;
+}
+
+/** What the menu of a watch offers. */
+export function watchContext(watch: Watch | undefined): string {
+  return watch?.port === undefined || watch.port === null ? "technolWatch" : "technolWatchPort";
 }
 
 export const MODES = ["value", "change", "extremes", "edges"] as const;

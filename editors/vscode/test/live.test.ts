@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addWish, toggleLines, traceText, watchText, withErrors } from "../src/live";
+import { addWish, forcedText, toggleLines, traceText, watchText, withErrors } from "../src/live";
 
 test("a watch shows its value, what it was in between, and what is wrong with it", () => {
   assert.equal(watchText({ expression: "A", value: "300 (012Ch)" }), "300 (012Ch)");
@@ -45,4 +45,11 @@ test("an expression is watched once, in the mode chosen last", () => {
     { expression: "KEY", mode: "edges" },
   ]);
   assert.deepEqual(addWish(two, { expression: "  ", mode: "value" }), two);
+});
+
+test("a forced bit says by whom it is forced, and which value wins", () => {
+  const bit = { name: "P1IN.2", symbol: "SP_STAND", value: 0, own: true, both: false } as const;
+  assert.equal(forcedText(bit), "SP_STAND forced to 0");
+  assert.equal(forcedText({ ...bit, symbol: null, own: false }), "forced to 0 (not by this session)");
+  assert.equal(forcedText({ ...bit, both: true }), "SP_STAND forced to 0, which wins over forced to 1");
 });

@@ -4,8 +4,10 @@ use serde_json::{Value, json};
 
 use technol_image::debug_info::Mechanism;
 use technol_image::op::Width;
+use technol_wire::message::{Item, TracedRegister};
 
-use crate::live::{Reading, Told};
+use crate::forcing::{self, Forced, PortBits};
+use crate::live::{Line, Reading, Told};
 use crate::mechanisms;
 use crate::values;
 
@@ -32,13 +34,23 @@ impl Session {
                 let text = told.zip(mechanism).map(|(t, m)| told_as(&t, mechanisms::summary(m, &t.value)));
                 put(&mut shown, text);
             }
-            What::Item { item, width } => {
+            What::Item { item, width, port } => {
                 let text = |raw: u64| match width {
                     Some(width) => values::cell(raw, *width, watched.hex),
                     None => values::bit(raw == 1),
                 };
                 let told = self.watching.live.item(*item);
-                put(&mut shown, told.map(|t| told_as(&t, text(t.value.value))));
+                let forced = port.as_ref().map(|(bits, masks)| self.forced_of_watch(*bits, masks));
+                let whole = width.is_some();
+                let value = |t: Told<Reading>| {
+                    forcing::with_mark(text(t.value.value), whole, forced.as_deref().unwrap_or_default())
+                };
+                put(&mut shown, told.map(|t| told_as(&t, value(t))));
+                if let (Some((bits, _)), false) = (port, whole) {
+                    shown["port"] = json!(self.port_name(*bits));
+                    let value = forced.as_ref().and_then(|f| f.first()).map(|f| u8::from(f.value));
+                    shown["forced"] = json!(value);
+                }
                 if let Some(Told { value: Reading { extremes, edges, .. }, .. }) = told {
                     shown["least"] = json!(extremes.map(|(least, _)| text(least)));
                     shown["greatest"] = json!(extremes.map(|(_, greatest)| text(greatest)));
@@ -48,6 +60,11 @@ impl Session {
             }
         }
         shown
+    }
+
+    fn forced_of_watch(&self, bits: PortBits, masks: &[Item; 2]) -> Vec<Forced> {
+        let [low, high] = masks.map(|mask| self.watching.live.item(mask).map_or(0, |t| t.value.value as u8));
+        forcing::forced_of(bits, low, high)
     }
 
     fn mechanism(&self, sequence: u16) -> Option<&Mechanism> {
@@ -75,23 +92,29 @@ impl Session {
         let live = &self.watching.live;
         let lines = self.watching.lines.iter().map(|line| {
             let mut shown = json!({ "path": line.path, "line": line.line });
-            let told: Vec<_> = line.pcs.iter().filter_map(|pc| live.line(*pc)).collect();
+            let told: Vec<_> = line.statements.iter().filter_map(|s| live.line(s.pc)).collect();
             // The last statement of the line that ran says how the line ended.
             let ran = |now: bool| told.iter().rev().find(move |t| t.value.is_some_and(|l| l.ran || !now));
             if let Some(last) = ran(true).or_else(|| ran(false)).or(told.last()) {
                 shown["ran"] = json!(last.value.is_some_and(|line| line.ran));
                 let text = last.value.map_or_else(
                     || "has not run".to_owned(),
-                    |line| {
-                        let dr = values::register(u64::from(line.dr), Width::DWord, false);
-                        format!("RLO {}  DR {dr}", u8::from(line.rlo))
-                    },
+                    |line| format!("RLO {}  {}", u8::from(line.rlo), data_register(&line)),
                 );
                 put(&mut shown, Some(told_as(last, text)));
             }
             shown
         });
         json!({ "lines": lines.collect::<Vec<_>>() })
+    }
+}
+
+/// The data register behind a line, by the name that the program has for it.
+fn data_register(line: &Line) -> String {
+    match line.register {
+        TracedRegister::Dr32 => format!("DR {}", values::register(line.data, Width::DWord, false)),
+        TracedRegister::Dr64 => format!("DR64 {}", values::register(line.data, Width::QWord, false)),
+        TracedRegister::Real => format!("DR_REAL {}", values::real(f64::from_bits(line.data))),
     }
 }
 
