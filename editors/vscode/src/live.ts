@@ -94,7 +94,9 @@ export function watchText(watch: Watch): string {
 
 /** The text behind a traced line; a line that did not run in the last cycle shows what it left behind in grey. */
 export function traceText(line: TracedLine): { text: string; faint: boolean } {
-  return { text: line.error !== undefined ? "" : line.value ?? "…", faint: line.ran !== true || line.stale === true };
+  // An editor shows several spaces as one.
+  const text = (line.value ?? "…").replaceAll("  ", "\u00a0\u00a0");
+  return { text: line.error !== undefined ? "" : text, faint: line.ran !== true || line.stale === true };
 }
 
 /** What `technol/trace` answers: lines that cannot be traced have an error. */
@@ -108,6 +110,18 @@ export function withErrors(traced: readonly TracedLine[], answered: TraceAnswer[
     const about = answered.find((line) => line.path === it.path && line.line === it.line);
     return about === undefined ? it : { ...it, error: about.error ?? undefined };
   });
+}
+
+/** What VS Code tells of a selection; counted from 0. */
+export interface Selected {
+  start: { line: number };
+  end: { line: number; character: number };
+}
+
+/** The lines of a selection, counted from 1. One in front of which it ends is not part of it. */
+export function selectedLines({ start, end }: Selected): number[] {
+  const last = end.character === 0 && end.line > start.line ? end.line - 1 : end.line;
+  return Array.from({ length: last - start.line + 1 }, (_, n) => start.line + n + 1);
 }
 
 /** The lines traced after `changed` lines (1-based) of a file were chosen: traced if none of them was, else not. */

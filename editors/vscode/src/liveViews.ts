@@ -2,7 +2,7 @@
 
 import * as vscode from "vscode";
 import {
-  MODES, addWish, forcedText, toggleLines, traceText, watchContext, watchText, withErrors, type ForcedBit, type ForcedEvent,
+  MODES, addWish, forcedText, selectedLines, toggleLines, traceText, watchContext, watchText, withErrors, type ForcedBit, type ForcedEvent,
   type Mechanism, type Mode, type TraceAnswer, type TraceEvent, type TracedLine, type Watch, type WatchEvent, type Wish,
 } from "./live";
 import { nameAtCursor } from "./forceMenu";
@@ -18,6 +18,8 @@ type Row =
   | { kind: "mechanisms" }
   | { kind: "mechanism"; mechanism: Mechanism };
 
+/** Stands before what is only watched, so that names are below each other. */
+const WATCHED = new vscode.ThemeIcon("eye");
 /** Stands before what is forced. */
 const FORCED = new vscode.ThemeIcon("lock", new vscode.ThemeColor("list.warningForeground"));
 
@@ -91,7 +93,7 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
     }
     if (row.kind === "watch") {
       const item = new vscode.TreeItem(row.wish.expression);
-      if (row.watch?.forced === 0 || row.watch?.forced === 1) item.iconPath = FORCED;
+      item.iconPath = row.watch?.forced === 0 || row.watch?.forced === 1 ? FORCED : WATCHED;
       item.description = row.watch === undefined ? "" : watchText(row.watch);
       item.contextValue = watchContext(row.watch);
       item.tooltip = row.watch?.stale === true ? "The link has lost samples: the value may have changed since." : undefined;
@@ -136,11 +138,8 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
   async toggleTrace(): Promise<void> {
     const editor = vscode.window.activeTextEditor;
     if (editor === undefined || editor.document.languageId !== "technol") return;
-    const lines: number[] = [];
-    for (const selection of editor.selections) {
-      // Few enough for the eye; the adapter says which of them can be traced.
-      for (let line = selection.start.line; line <= selection.end.line; line += 1) lines.push(line + 1);
-    }
+    // Few enough for the eye; the adapter says which of them can be traced.
+    const lines = editor.selections.flatMap(selectedLines);
     await this.trace(toggleLines(this.traced, editor.document.uri.fsPath, [...new Set(lines)]));
   }
 

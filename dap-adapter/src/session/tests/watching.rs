@@ -3,7 +3,7 @@ use std::time::{Duration, Instant};
 use technol_image::system;
 use technol_wire::message::Request;
 
-use crate::forcing::MASKS;
+use crate::forcing::{MASKS, MASKS_LEN};
 
 /// Launched, running, and watching.
 fn watching(arguments: Value) -> (Setup, Value) {
@@ -18,7 +18,8 @@ fn set_count(setup: &Setup, value: u16) {
 
 /// Questions about values; what is forced is looked at apart from that.
 fn reads(setup: &Setup) -> usize {
-    let of_values = |pieces: &[(u32, u16)]| pieces.iter().any(|(addr, _)| *addr != MASKS);
+    let masks = MASKS..MASKS + MASKS_LEN;
+    let of_values = |pieces: &[(u32, u16)]| pieces.iter().any(|(addr, _)| !masks.contains(addr));
     setup.mock.asked_for(|r| matches!(r, Request::Read { pieces } if of_values(pieces))).len()
 }
 
@@ -241,4 +242,23 @@ fn a_client_that_watches_nothing_is_not_told_what_is_forced() {
     setup.client.request("technol/force", json!({ "name": "KSMP", "value": 1 })).unwrap();
     setup.client.set_patience(Duration::from_millis(200));
     assert!(setup.client.event(mark, "technol/forced").is_err());
+}
+
+/// VS Code forgets all threads of a running program when it is told that they are invalid, and then cannot pause it.
+#[test]
+fn mechanisms_that_start_and_rest_while_the_program_runs_are_told_as_threads() {
+    let mut setup = Setup::launched(vec![]);
+    setup.client.request("technol/subscribe", json!({ "mechanisms": true })).unwrap();
+    setup.client.request("threads", Value::Null).unwrap();
+    let started = |id: i64| move |b: &Value| b["reason"] == "started" && b["threadId"] == id;
+    setup.client.event_where(Mark::START, "thread", started(2)).unwrap();
+    let mark = setup.client.mark();
+    setup.mock.state().sequences[1].active = true;
+    setup.client.event_where(mark, "thread", started(3)).unwrap();
+    let mark = setup.client.mark();
+    setup.mock.state().sequences[1].active = false;
+    let rests = |b: &Value| b["reason"] == "exited" && b["threadId"] == 3;
+    setup.client.event_where(mark, "thread", rests).unwrap();
+    let areas = setup.client.event(mark, "invalidated").unwrap();
+    assert_eq!(areas["areas"], json!(["variables"]));
 }

@@ -6,8 +6,8 @@ mod telling;
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use dap::events::{Event, InvalidatedEventBody};
-use dap::types::InvalidatedAreas;
+use dap::events::{Event, InvalidatedEventBody, ThreadEventBody};
+use dap::types::{InvalidatedAreas, ThreadEventReason};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -27,6 +27,7 @@ use crate::traced::register_behind;
 use crate::tree::Shown;
 
 use super::phase::Phase;
+use super::stack::thread_of_sequence;
 use super::{Answer, Session};
 
 /// What was looked at is followed for this long.
@@ -94,6 +95,7 @@ pub(super) struct Watching {
     told: Option<Instant>,
     trace_told: Option<Instant>,
     redrawn: Option<Instant>,
+    threads_told: Option<Instant>,
     /// The last thing said about the line.
     said: String,
 }
@@ -319,6 +321,7 @@ impl Session {
         if self.watching.replan.is_some_and(|at| Instant::now() >= at) {
             self.replan();
         }
+        self.tell_threads();
         self.tell_watches();
         self.redraw();
     }
@@ -441,6 +444,30 @@ impl Session {
         }
     }
 
+    /// Mechanisms that were started and that came to rest, as far as a stream tells it.
+    fn tell_threads(&mut self) {
+        let due = self.watching.threads_told.is_none_or(|at| at.elapsed() >= REDRAW);
+        let Some(debuggee) = self.debuggee.as_ref().filter(|_| due && self.phase == Phase::Running) else {
+            return;
+        };
+        let mut events = Vec::new();
+        for mechanism in &debuggee.debug.mechanisms {
+            let told = self.watching.live.mechanism(mechanism.sequence, true);
+            let Some(told) = told.filter(|told| !told.stale) else { continue };
+            let thread_id = thread_of_sequence(Some(mechanism.sequence));
+            let reason = if told.value.active {
+                self.threads_announced.insert(thread_id).then_some(ThreadEventReason::Started)
+            } else {
+                self.threads_announced.remove(&thread_id).then_some(ThreadEventReason::Exited)
+            };
+            events.extend(reason.map(|reason| Event::Thread(ThreadEventBody { reason, thread_id })));
+        }
+        if !events.is_empty() {
+            self.watching.threads_told = Some(Instant::now());
+            events.iter().for_each(|event| self.out.event(event));
+        }
+    }
+
     /// Asks views of the client's own to look again, when what they show has changed.
     fn redraw(&mut self) {
         let watching = &self.watching;
@@ -457,15 +484,12 @@ impl Session {
         if redrawn.elapsed() < if changed { REDRAW } else { REFRESH } {
             return;
         }
-        let mut areas = vec![InvalidatedAreas::Variables];
-        if watching.mechanisms_looked_at.is_some() && watching.news.mechanisms {
-            areas.push(InvalidatedAreas::Threads);
-        }
         self.watching.redrawn = Some(Instant::now());
         self.watching.news.variables = false;
         self.watching.news.mechanisms = false;
+        // Never the threads: VS Code then forgets those of a program that runs, and cannot pause it any more.
         self.out.event(&Event::Invalidated(InvalidatedEventBody {
-            areas: Some(areas),
+            areas: Some(vec![InvalidatedAreas::Variables]),
             thread_id: None,
             stack_frame_id: None,
         }));
