@@ -216,9 +216,7 @@ mod tests {
         let ports = crate::ports::used(&image.program, image.debug.as_ref().unwrap());
         let mut memory = MemoryView::default();
         memory.add(&[(system::IN_FORCE_LOW, 1), (system::IN_FORCE_HIGH, 1)], &[1, 0]);
-        let marked = |bit| {
-            marked(&ports, &Shown::Bit { addr: sample::INPUTS, bit }, &memory, "true".into())
-        };
+        let marked = |bit| marked(&ports, &Shown::Bit { addr: sample::INPUTS, bit }, &memory, "true".into());
         assert_eq!([marked(0), marked(1)], ["true (forced to 0)", "true"]);
     }
 

@@ -393,7 +393,8 @@ mod tests {
 
     fn example() -> String {
         let item = |addr, kind| Item { addr, kind, mode: Mode::Value };
-        let items = [item(8, ItemKind::Bit(3)), item(9, ItemKind::Unsigned(2)), item(20, ItemKind::Signed(4))];
+        let items =
+            [item(8, ItemKind::Bit(3)), item(9, ItemKind::Unsigned(2)), item(20, ItemKind::Signed(4))];
         subscribed(7, Subject::Variables(items.to_vec())) + EXAMPLE
     }
 
@@ -448,7 +449,8 @@ mod tests {
         let padded = format!("{text:0<136}");
         let byte = |at: usize| u8::from_str_radix(&padded[at..at + 8], 2).unwrap();
         payload.extend((0..136).step_by(8).map(byte));
-        let recording = subscribed(1, Subject::Lines(lines)) + &hex_line(2, '<', kind::STREAM, 0xE8, &payload);
+        let recording =
+            subscribed(1, Subject::Lines(lines)) + &hex_line(2, '<', kind::STREAM, 0xE8, &payload);
         assert_eq!(
             values(&recording, None),
             ["operation 4: RLO 1 DR_REAL 2.5, operation 9: RLO 0 DR64 -2, earlier"]

@@ -384,7 +384,8 @@ impl Session {
         wishes.any_register = target.features() & feature::TRACED_REGISTERS != 0;
         let mut missing = None;
         if target.features() & feature::STREAMS == 0 {
-            let nothing = Wishes { any_register: wishes.any_register, period: wishes.period, ..Wishes::default() };
+            let nothing =
+                Wishes { any_register: wishes.any_register, period: wishes.period, ..Wishes::default() };
             let wanted = wishes != nothing;
             missing = wanted
                 .then(|| "the target does not tell values while the program runs; update it".to_owned());
@@ -464,7 +465,9 @@ impl Session {
         }
         if !events.is_empty() {
             self.watching.threads_told = Some(Instant::now());
-            events.iter().for_each(|event| self.out.event(event));
+            for event in &events {
+                self.out.event(event);
+            }
         }
     }
 
