@@ -351,11 +351,7 @@ mod tests {
         let lines = "0 < 1185e8afe8079003c4b1088b807b3ed6ae00\n1 < 0985e9b3801dc22a8100\n";
         let mut bytes = Vec::new();
         technol_wire::frame::encode(kind::LISTENING, 0, &[0xC5, 0xE8, 3, 0, 0, 1, 0, 0, 0, 0], &mut bytes);
-        let hex = bytes.iter().fold(String::new(), |mut hex, byte| {
-            let _ = write!(hex, "{byte:02x}");
-            hex
-        });
-        let text = text_of_recording(&format!("{lines}2 > {hex}\n"), None).unwrap();
+        let text = text_of_recording(&format!("{lines}2 > {}\n", hex(&bytes)), None).unwrap();
         let said: Vec<&str> = text.lines().map(|line| line[12..].trim()).collect();
         assert_eq!(
             said,
@@ -367,11 +363,17 @@ mod tests {
         );
     }
 
+    fn hex(bytes: &[u8]) -> String {
+        bytes.iter().fold(String::new(), |mut hex, byte| {
+            let _ = write!(hex, "{byte:02x}");
+            hex
+        })
+    }
+
     fn hex_line(micros: u64, direction: char, kind: u8, seq: u8, payload: &[u8]) -> String {
         let mut bytes = Vec::new();
         technol_wire::frame::encode(kind, seq, payload, &mut bytes);
-        let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
-        format!("{micros} {direction} {hex}\n")
+        format!("{micros} {direction} {}\n", hex(&bytes))
     }
 
     fn subscribed(seq: u8, subject: Subject) -> String {

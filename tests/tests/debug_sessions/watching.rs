@@ -89,8 +89,8 @@ fn a_traced_line_shows_the_register_it_works_with() {
         ("LOD  CNST.2.5", "DR_REAL 2.5"),
         ("AD   CNST.0.25", "DR_REAL 2.75"),
     ];
-    let lines: String = code.iter().map(|(line, _)| format!("        {line}\n")).collect();
-    lathe.edit("main.plc", "        LOD  CYCLES\n", &format!("{lines}        LOD  CYCLES\n"));
+    let lines = code.map(|(line, _)| line).join("\n        ");
+    lathe.edit("main.plc", "        LOD  CYCLES\n", &format!("        {lines}\n        LOD  CYCLES\n"));
     let first = lathe.line("main.plc", "LOD  CNST.100000");
 
     let mut adapter = Adapter::start();
