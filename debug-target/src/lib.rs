@@ -22,6 +22,7 @@ mod link;
 mod listen;
 mod machine_file;
 mod pipe;
+mod recorded_streams;
 mod recording;
 mod sampling;
 mod serial;
