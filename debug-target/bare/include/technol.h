@@ -124,9 +124,9 @@ bool technol_call_area(technol_call *call, size_t operand, uint32_t *addr, uint3
 bool technol_call_read(technol_call *call, uint32_t addr, uint8_t *bytes, uint32_t len);
 bool technol_call_write(technol_call *call, uint32_t addr, const uint8_t *bytes, size_t len);
 
-/* Writes a number to the cell or bit at an operand; other operands take nothing. */
+/* Writes an integer to the cell or bit at an operand; other operands take nothing. A real with a fraction is written as
+ * its 8 bytes, by technol_call_area and technol_call_write. */
 bool technol_call_store(technol_call *call, size_t operand, int64_t value);
-bool technol_call_store_real(technol_call *call, size_t operand, double value);
 
 /* RLO and DR (64 bits), which most instructions answer with. */
 bool technol_call_rlo(const technol_call *call);

@@ -215,12 +215,6 @@ extern "C" fn technol_call_store(call: &mut HostCall<'_, '_>, operand: usize, va
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn technol_call_store_real(call: &mut HostCall<'_, '_>, operand: usize, value: f64) -> bool {
-    let stored = call.call.store_real(operand, value);
-    call.done(stored)
-}
-
-#[unsafe(no_mangle)]
 extern "C" fn technol_call_rlo(call: &HostCall<'_, '_>) -> bool {
     call.call.rlo()
 }
