@@ -1,15 +1,18 @@
 //! Axes, spindles and analogue outputs (manual 12, 13.1 and 19).
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, check};
 
 /// What holds after so many cycles of these lines.
 #[track_caller]
 fn after(cycles: u32, init: &str, main: &str, given: &str, then: &str) {
-    let mut plc = Plc::with_init(init, main);
-    plc.set(given);
-    plc.run(cycles);
-    assert_eq!(plc.fault(), None, "{init}: {main}");
-    assert_eq!(plc.differences(then), [""; 0], "{init}: {main}, {cycles} cycles");
+    with_mutants(|| {
+        let mut plc = Plc::with_init(init, main);
+        plc.set(given);
+        plc.run(cycles);
+        assert_eq!(plc.fault(), None, "{init}: {main}");
+        assert_eq!(plc.differences(then), [""; 0], "{init}: {main}, {cycles} cycles");
+    });
 }
 
 // 10 mm at 6000 mm/min by 1000 mm/s²: 200 ms. The control record is B1 and B2, the status record IB and OB.

@@ -2,6 +2,7 @@
 
 use technol_machine::{ControlData, Value};
 
+use crate::coverage::wrong_rows;
 use crate::plc::Plc;
 
 fn data() -> ControlData {
@@ -27,17 +28,13 @@ fn data() -> ControlData {
 /// Before, the lines, after one cycle.
 #[track_caller]
 fn check(rows: &[(&str, &str, &str)]) {
-    let mut wrong = Vec::new();
-    for (given, lines, then) in rows {
+    let wrong = wrong_rows(rows, |(given, lines, then)| {
         let mut plc = Plc::of(lines);
         plc.control().set_data(data());
         plc.set(given);
         plc.run(1);
-        let found: Vec<String> = plc.differences(then).into_iter().chain(plc.fault()).collect();
-        if !found.is_empty() {
-            wrong.push(format!("{lines}: {}", found.join(", ")));
-        }
-    }
+        plc.differences(then).into_iter().chain(plc.fault()).collect()
+    });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

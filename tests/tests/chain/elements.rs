@@ -4,6 +4,7 @@ use technol_machine::config::{Input, Link, Number, Output, Value};
 use technol_machine::{Conversion, ElementValue, MachineConfig, Signal};
 use technol_runtime::RuntimeEvent;
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 #[track_caller]
@@ -157,17 +158,19 @@ fn every_type_has_its_width_and_its_sign() {
         let signed = [format!("INT_{bits}"), format!("INT{bits}")].map(|name| (name, value - (1 << bits)));
         let types = unsigned.iter().map(|name| (name.to_string(), value)).chain(signed);
         for (name, sent) in types {
-            let init = format!(
-                "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
-            );
-            let wide = if bits == 64 { "QWRD." } else { "" };
-            let mut plc =
-                Plc::with_init(&init, &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"));
-            set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
-            plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
-            plc.run(1);
-            holds(&plc, &format!("GOT={content} QWRD.Q2={}", value - (1 << bits)));
-            assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{name}");
+            with_mutants(|| {
+                let init = format!(
+                    "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
+                );
+                let wide = if bits == 64 { "QWRD." } else { "" };
+                let mut plc =
+                    Plc::with_init(&init, &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"));
+                set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
+                plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+                plc.run(1);
+                holds(&plc, &format!("GOT={content} QWRD.Q2={}", value - (1 << bits)));
+                assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{name}");
+            });
         }
     }
     let mut plc = Plc::with_init("DEF_OUT SENT,'Out',TYPE_REAL", "LOD CNST.-1.5 / STO REAL.SENT");

@@ -2,6 +2,7 @@
 
 use technol_machine::Value;
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 #[track_caller]
@@ -102,14 +103,16 @@ fn cells_of_every_type() {
         ("QWORD", -0x7766_5544_3322_1101),
     ];
     for (name, value) in types {
-        let init = format!(
-            "STRCPY LONG,'Of' / SHARE_VAR Q1,LONG,TYPE_{name} / WR O0 / SHARE_BIT OB,LONG,O1 / WR O1"
-        );
-        let mut plc = Plc::with_init(&init, "");
-        holds(&plc, "O0=1 O1=0");
-        plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
-        let [(of, found)] = &shared(&mut plc)[..] else { panic!("one name") };
-        assert_eq!((of.as_str(), found), ("Of", &Value::Int(value)), "{name}");
+        with_mutants(|| {
+            let init = format!(
+                "STRCPY LONG,'Of' / SHARE_VAR Q1,LONG,TYPE_{name} / WR O0 / SHARE_BIT OB,LONG,O1 / WR O1"
+            );
+            let mut plc = Plc::with_init(&init, "");
+            holds(&plc, "O0=1 O1=0");
+            plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+            let [(of, found)] = &shared(&mut plc)[..] else { panic!("one name") };
+            assert_eq!((of.as_str(), found), ("Of", &Value::Int(value)), "{name}");
+        });
     }
     let mut plc = Plc::with_init("STRCPY LONG,'Lit' / SHARE_BIT OB,LONG,O1", "FL 1,O1");
     plc.run(1);

@@ -2,6 +2,7 @@
 
 use technol_machine::{Column, ControlData, Table, Value, ValueKind};
 
+use crate::coverage::wrong_rows;
 use crate::plc::Plc;
 
 fn text(text: &str) -> Vec<u8> {
@@ -34,8 +35,7 @@ fn plc(line: &str) -> Plc {
 /// What is in memory before, the instruction, what is there at the end.
 #[track_caller]
 fn check(rows: &[(&str, &str, &str)]) {
-    let mut wrong = Vec::new();
-    for (given, line, then) in rows {
+    let wrong = wrong_rows(rows, |(given, line, then)| {
         let mut plc = plc(line);
         plc.set(given);
         plc.run(1);
@@ -44,10 +44,8 @@ fn check(rows: &[(&str, &str, &str)]) {
         plc.run(1);
         found.extend(plc.differences(&format!("M=0 {then}")));
         found.extend(plc.fault());
-        if !found.is_empty() {
-            wrong.push(format!("{given}: {line}: {}", found.join(", ")));
-        }
-    }
+        found
+    });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
