@@ -55,6 +55,7 @@ fn multiplying_and_dividing() {
         ("QWRD.Q1=10000000000 D1=100000", "LOD QWRD.Q1 / DIVB D1", "DR64=100000"),
         ("QWRD.Q1=10000000000", "LOD QWRD.Q1 / DIVB CNST.-100000", "DR64=-100000"),
         ("REAL.R1=2.0", "LOD CNST.7.0 / DIVB REAL.R1", "DR_REAL=3.5 DR64=4"),
+        ("", "LOD CNST.7.0 / DIVB CNST.2.0", "DR_REAL=3.5 DR64=4"),
         ("W1=300 W2=7", "LOD W1 / MULB W2 / DIVB CNST.100 / STO W1", "W1=21"),
     ]);
 }
@@ -203,6 +204,7 @@ fn shifting() {
         // By nothing, by all but one bit, by the whole width.
         (Q, "LOD QWRD.Q1 / RL CNST.0 / RR CNST.0,DWRD", "DR64=1122334455668011h"),
         (Q, "LOD QWRD.Q1 / RR CNST.15", "DR64=1122334455660001h"),
+        (Q, "LOD QWRD.Q1 / RR CNST.4,DWRD", "DR64=1122334405566801h"),
         (Q, "LOD QWRD.Q1 / RR CNST.16", "DR64=1122334455660000h"),
         (Q, "LOD QWRD.Q1 / RL CNST.15", "DR64=1122334455668000h"),
         (Q, "LOD QWRD.Q1 / RL CNST.31,DWRD", "DR64=1122334480000000h"),

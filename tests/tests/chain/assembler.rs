@@ -94,7 +94,7 @@ fn sums_and_logic_at_each_width() {
         ("D1=3", "MOV ECX,5 / CMP ECX,D1", "DR32=5"),
         ("", "MOV AX,5 / CMP AX,5 / JE L / FL 1,O0 / L: / MOV W1,AX", "W1=5 OB=0"),
         ("", "MOV CX,5 / CMP CX,5 / JE L / FL 1,O0 / L:", "DR16=5 OB=0"),
-        ("", "MOV AX,1100h / OR AH,13h / MOV W1,AX", "W1=1300h"),
+        ("", "MOV AX,2200h / OR AH,12h / MOV W1,AX", "W1=3200h"),
         ("", "MOV AX,1100h / XOR AH,13h / MOV W1,AX", "W1=200h"),
         ("W1=1100h", "OR W1,1300h", "W1=1300h"),
     ]);
@@ -123,6 +123,7 @@ fn what_was_there_before_is_replaced() {
         ("", "MOV EAX,3C3C3C3Ch / MOV ECX,12345678h / MOV EAX,ECX / MOV D1,EAX", "D1=12345678h"),
         ("W1=3C3Ch", "MOV CX,1234h / MOV W1,CX", "W1=1234h"),
         ("W1=3C3Ch", "MOV DX,1234h / MOV W1,DX", "W1=1234h"),
+        ("", "MOV DX,3C3Ch / MOV DX,1234h / MOV W1,DX", "W1=1234h"),
         ("W1=1234h W2=5678h", "MOV AX,W1 / MOV W2,AX", "W2=1234h"),
     ]);
 }

@@ -23,7 +23,7 @@ fn port(name: &str) -> Signal {
 
 #[test]
 fn mapped_inputs_follow_their_elements_and_hold_their_default_without_one() {
-    let init = "MAP_IN DOOR,'inDoor' / MAP_IN OIL,'Oil',1 / MAP_AIN AIR,'Air',6.5 / MAP_AIN TANK,'Tank'";
+    let init = "MAP_IN DOOR,'inDoor' / MAP_IN OIL,'Oil',1 / MAP_IN DRY,'Dry',0 / MAP_AIN AIR,'Air',6.5 / MAP_AIN TANK,'Tank'";
     let main = "LDR DOOR / WR O0 / LOD REAL.AIR / STO REAL.R1";
     let mut plc = Plc::with_init(init, main);
     holds(&plc, "DOOR=0 OIL=1 AIR=6.5 TANK=0.0");
@@ -36,19 +36,20 @@ fn mapped_inputs_follow_their_elements_and_hold_their_default_without_one() {
     plc.run(1);
     holds(&plc, "O0=1 REAL.R1=4.25 OIL=0 TANK=0.0");
     // A bound cell does not keep what the program writes; a start brings the default back where nothing is bound.
-    plc.set("DOOR=0");
+    plc.set("DOOR=0 DRY=1");
     plc.restart();
-    holds(&plc, "DOOR=1 OIL=1 AIR=4.25");
+    holds(&plc, "DOOR=1 OIL=1 DRY=0 AIR=4.25");
 }
 
 #[test]
 fn mapped_outputs_leave_after_the_modules() {
-    let init = "MAP_OUT LAMP,'Lamp',1 / MAP_AOUT BELT,'Belt',2.5";
+    let init = "MAP_OUT LAMP,'Lamp',1 / MAP_OUT DARK,'Dark',0 / MAP_AOUT BELT,'Belt',2.5";
     let mut plc =
         Plc::with_init(init, "LDR I0 / JL0 PAST / FL 0,LAMP / LOD CNST.7.5 / STO REAL.BELT / PAST:");
     assert_eq!(plc.control().output("Lamp"), None);
     plc.run(1);
     assert_eq!(plc.control().output("LAMP"), Some(&true.into()));
+    assert_eq!(plc.control().output("Dark"), Some(&false.into()));
     assert_eq!(plc.control().output("PLC.Output.Belt"), Some(&2.5.into()));
     plc.set("I0=1");
     plc.run(1);
@@ -317,4 +318,22 @@ fn a_mapped_bit_may_begin_a_message() {
         _ => None,
     });
     assert_eq!(numbers.collect::<Vec<_>>(), [5]);
+}
+
+#[test]
+fn slow_elements_change_with_the_cycle_and_fast_ones_with_the_millisecond() {
+    for (period, got, sent) in [(",-,SLOW", 0, 0), ("", 0, 0), (",-,FAST", 5, 7)] {
+        let init = format!("DEF_IN GOT,'In',TYPE_INT_16{period} / DEF_OUT SENT,'Out',TYPE_INT_16{period}");
+        let mut plc = Plc::with_modules(&init, "", "MODULE_FAST / LOD W1 / STO SENT / MODULE_FAST_END");
+        plc.run(1);
+        plc.tick(1);
+        set(&mut plc, "In", 5_i64);
+        plc.set("W1=7");
+        plc.tick(1);
+        holds(&plc, &format!("GOT={got} SENT=7"));
+        assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{period}");
+        plc.tick(20);
+        holds(&plc, "GOT=5");
+        assert_eq!(plc.control().output("Out"), Some(&7_i64.into()), "{period}");
+    }
 }

@@ -66,9 +66,9 @@ fn registers_have_elements() {
     ] {
         with_mutants(|| {
             let mut plc = transfer(lines);
-            plc.set(&format!("M=1 B1={flags} D1={wanted} D2=-1"));
+            plc.set(&format!("M=1 B1={flags} B2=9 D1={wanted} D2=-1"));
             plc.run(3);
-            assert_eq!(plc.differences(expected), [""; 0], "{lines} {flags}");
+            assert_eq!(plc.differences(&format!("{expected} B2=9")), [""; 0], "{lines} {flags}");
         });
     }
     let mut plc = transfer("ECAT_SOE_WRITE 0,1,0,B1,51,D2,D1");
@@ -149,7 +149,7 @@ fn each_command_leads_to_its_state() {
     for (name, state) in states {
         // From above and from below.
         for first in ["INIT", "OPERATIONAL"] {
-            for (who, address) in [("SLAVE", "0,1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")] {
+            for (who, address) in [("SLAVE", "0,1"), ("SLAVE", "B2,W1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")] {
                 with_mutants(|| {
                     let mut plc = Plc::of(&format!(
                         "MECH_BEGIN M / ECAT_COMMAND {address},ECATCMD_{who}_{first} / EX0 / EX / \
@@ -191,9 +191,24 @@ fn errors_are_told_in_dr_and_nothing_is_transferred() {
         ("ECAT_SOE_WRITE 0,1,0,B1,8001h,W1,D1", 2, "7004h"),
         ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,W1,D1", 3, "5"),
         ("ECAT_COMMAND 0,7,ECATCMD_SLAVE_INIT", 3, "2"),
+        ("ECAT_COMMAND 1,1,ECATCMD_SLAVE_STATE,D1,D1", 4, "1"),
+        // Numbers of 16 bits and lengths of 32.
+        ("ECAT_COE_READ 0,WORD.(AREA+2),603Fh,0,W1,D1", 2, "2"),
+        ("ECAT_COE_WRITE 0,WORD.(AREA+2),6060h,0,W1,D1", 1, "2"),
+        ("ECAT_SOE_READ 0,WORD.(AREA+2),0,B1,51,W1,D1", 2, "2"),
+        ("ECAT_SOE_WRITE 0,WORD.(AREA+2),0,B1,51,Q1,D1", 4, "2"),
+        ("ECAT_COMMAND 0,WORD.(AREA+2),ECATCMD_SLAVE_INIT", 3, "2"),
+        ("ECAT_SOE_READ 0,1,0,B1,WORD.(AREA+4),Q1,D1", 4, "1001h"),
+        ("ECAT_SOE_WRITE 0,1,0,B1,WORD.(AREA+4),Q1,D1", 4, "1001h"),
+        ("ECAT_COE_READ 0,1,603Fh,0,W1,D1", 0x10002, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 0x10002, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 3, "5"),
+        ("ECAT_COE_WRITE 0,1,6060h,0,W1,D1", 0x10001, "5"),
+        ("ECAT_SOE_WRITE 0,1,0,B1,51,Q1,D1", 0x10004, "5"),
+        ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,Q1,D1", 0x10004, "5"),
     ] {
         let mut plc = transfer(lines);
-        plc.set(&format!("M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h W1=7777h D2=-1"));
+        plc.set(&format!("M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h WORD.(AREA+2)=101h WORD.(AREA+4)=133h W1=7777h D2=-1"));
         plc.run(3);
         let length = if lines.contains("SLAVE_INIT") { wanted } else { 0 };
         let found = plc.differences(&format!("M=0 O0=1 D2={code} D1={length} W1=7777h"));

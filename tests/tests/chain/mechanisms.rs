@@ -114,6 +114,16 @@ fn a_time_of_nothing_passes_at_once_and_a_counter_is_as_wide_as_its_cell() {
 }
 
 #[test]
+fn the_line_is_that_of_the_instruction_it_waits_at() {
+    let line = first_line() + 2;
+    for wait in ["EX0", "EX1", "TIM -,2", "TEX0 -,2,E", "TEX1 -,2,E"] {
+        let condition = if wait.contains('1') { "LDR -I0" } else { "LDR I0" };
+        let lines = format!("MECH_BEGIN M / {condition} / {wait} / E: / MECH_END M");
+        follow(&lines, &[("M=1", &format!("M=1 M_LINE={line}")), ("I0=1", &format!("M_LINE={}", if wait.starts_with("TIM") { line } else { 0 }))]);
+    }
+}
+
+#[test]
 fn counters_and_times_of_every_kind() {
     let given = "M=1 B2=2 W2=2";
     for operands in ["NIL,2", "-,2", "B1,2", "W1,2", "W1,FIVE-3", "-,B2", "NIL,W2"] {

@@ -101,7 +101,7 @@ fn reported(given: &str, lines: &str) -> Vec<Shown> {
 fn messages_have_their_numbers_and_values() {
     let given = "W1=300 D1=70000 D2=-9 DWRD.AREA=100007h";
     let none = [None; 3];
-    let messages: [(&str, Shown); 9] = [
+    let messages: [(&str, Shown); 10] = [
         ("LOD CNST.44 / ESET", (44, None, true, none)),
         // The number is in 16 bits of DR.
         ("LOD DWRD.AREA / ESET", (7, None, true, none)),
@@ -116,6 +116,7 @@ fn messages_have_their_numbers_and_values() {
             (9, Some(2), true, [Some(1), Some(70_000), Some(6)]),
         ),
         ("ESET FIVE,-,1,-,-,D2", (5, None, true, [None, None, Some(-9)])),
+        ("ESET FIVE,-,-,D1,-,-", (5, None, true, [Some(70_000), None, None])),
         ("ESET 12,-,-,3,-", (12, None, true, [Some(3), None, None])),
         ("ESET 12,3,0,-,-,-", (12, Some(3), false, none)),
     ];

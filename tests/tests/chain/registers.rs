@@ -49,13 +49,9 @@ fn of_bits_and_jumps() {
         ("MOVR O0,O1", NONE),
         ("MOVR1 O0,O1", NONE),
         ("JUM L / L:", NONE),
-        ("JL1 L / L:", NONE),
+        ("LDR I7 / WR O6 / JL1 L / L:", "RLO=0 DR64=77 DR_REAL=1.5"),
         ("JL0 L / L:", NONE),
         ("PROC_CALL P / PROC_BEGIN P / FL 1,O0 / PROC_END P", NONE),
-        ("DFTM01 L / L:", NONE),
-        ("DFTM1 L / L:", NONE),
-        ("DFTM10 L / L:", NONE),
-        ("DFTM100 L / L:", NONE),
         ("NOP / CLI / STI", NONE),
     ]);
 }
@@ -230,6 +226,17 @@ fn of_the_older_positioning() {
         .collect();
     let rows: Vec<(&str, &str)> = lines.iter().map(|line| (line.as_str(), NONE)).collect();
     check(&rows);
+}
+
+#[test]
+fn of_time_blocks() {
+    let rows = [("DFTM01", 6), ("DFTM1", 51), ("DFTM10", 501), ("DFTM100", 5001)];
+    let wrong = wrong_rows(&rows, |(block, cycles)| {
+        let mut plc = Plc::of(&format!("{BEFORE} / {block} L / STO QWRD.Q1 / STO REAL.R1 / WR O0 / L:"));
+        plc.run(*cycles);
+        plc.differences("O0=1 QWRD.Q1=77 REAL.R1=1.5").into_iter().chain(plc.fault()).collect()
+    });
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

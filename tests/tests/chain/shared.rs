@@ -160,6 +160,22 @@ fn bytes_outside_the_area_are_an_error() {
 }
 
 #[test]
+fn the_error_of_either_direction_is_a_number_in_dr() {
+    for transfer in ["SA_READ", "SA_WRITE"] {
+        for place in ["0,W1", "1,W2"] {
+            with_mutants(|| {
+                let mut plc = Plc::of(&format!(
+                    "MECH_BEGIN M / LOD CNST.-1 / LDR -I0 / {transfer} {place},4,D1 / WR O0 / STO QWRD.Q1 / FL 1,O1 / MECH_END M"
+                ));
+                plc.set("M=1 W1=31997 W2=-1 D1=77 OB=1");
+                plc.run(1);
+                holds(&plc, "OB=2 QWRD.Q1=1 D1=77 M=0");
+            });
+        }
+    }
+}
+
+#[test]
 fn a_transfer_begins_anew_when_its_line_was_left_for_a_cycle() {
     let mut plc = Plc::of("MECH_BEGIN M / SA_READ 0,0,4,D1 / EX0 / MECH_END M");
     plc.control().shared_area_mut(0).expect("an area")[0] = 9;

@@ -96,6 +96,9 @@ fn service(call: &ServiceCall) -> Vec<(String, ServiceCall)> {
         let spec = operands.get(n);
         let name = spec.map_or_else(|| format!("operand {n}"), |spec| spec.name.to_owned());
         for (what, other) in of_arg(arg, spec.map(|spec| spec.kind)) {
+            if matches!(arg, Arg::Area { .. }) && what != FURTHER && has_own_length(call.service) {
+                continue;
+            }
             let mut args = call.args.clone();
             args[n] = other;
             others.push((format!("{name} {what}"), ServiceCall { args, ..call.clone() }));
@@ -121,11 +124,22 @@ fn siblings(service: Service) -> Vec<Service> {
     beside.filter(|it| family(*it) == family(service) && !synonym(*it)).collect()
 }
 
+/// What is done to the address of an area.
+const FURTHER: &str = "area a byte further";
+
+/// It works on as many bytes as it says itself, however long the area is: records of two bytes, or another operand.
+fn has_own_length(service: Service) -> bool {
+    service.name().starts_with("POS_") || service == Service::SaRead
+}
+
 fn of_arg(arg: &Arg, kind: Option<OperandKind>) -> Vec<(String, Arg)> {
     let spec = kind.map(Spec::of).unwrap_or_default();
     match arg {
         Arg::Int(n) => {
             // One of many is not seen in a speed.
+            if *n > 100_000 {
+                return vec![("number less".to_owned(), Arg::Int(n / 4))];
+            }
             let step = (n.unsigned_abs() / 64).max(1) as i64;
             vec![
                 ("number more".to_owned(), Arg::Int(n.wrapping_add(step))),
@@ -166,8 +180,8 @@ fn of_arg(arg: &Arg, kind: Option<OperandKind>) -> Vec<(String, Arg)> {
         }
         Arg::Area { place, len } => {
             let further = Arg::Area { place: behind(*place), len: len.saturating_sub(1) };
-            let mut others = vec![("area a byte further".to_owned(), further)];
-            if spec.written {
+            let mut others = vec![(FURTHER.to_owned(), further)];
+            if spec.written && !spec.declares {
                 let resized = |len| Arg::Area { place: *place, len };
                 others.push(("area shorter".to_owned(), resized(len.saturating_sub(1))));
                 others.push(("area longer".to_owned(), resized(len + 1)));
