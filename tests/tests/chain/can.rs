@@ -4,6 +4,7 @@ use technol_machine::{CAN_QUEUE, CanPacket};
 
 use technol_runtime::{Resume, StopReason};
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, first_line};
 
 #[test]
@@ -287,26 +288,30 @@ fn every_member_is_read_and_written_at_its_width() {
     };
     let reads =
         steps(&|at, member| format!("CAN_SYSIO_READ 1,2,32,{member} / LO O1 / WR O1 / STO DWRD.(BIG+{at})"));
-    let mut read = Plc::of(&reads);
-    let unit = read.control().can_unit_mut(1, 2, 32);
-    // A value of its own for each; but MODE_ACT follows MODE.
-    let value = |n: u32| 0x9CAD_BECF_u32.wrapping_sub(n * 0x0101_0101);
-    for (n, (member, _)) in (0..).zip(MEMBERS) {
-        assert!(unit.set(member, value(n)), "{member}");
-    }
-    read.run(2);
-    let mode = MEMBERS.iter().position(|(member, _)| *member == "MODE").expect("a member") as u32;
-    check(&read, &|n, member| value(if member == "MODE_ACT" { mode } else { n }));
+    with_mutants(|| {
+        let mut read = Plc::of(&reads);
+        let unit = read.control().can_unit_mut(1, 2, 32);
+        // A value of its own for each; but MODE_ACT follows MODE.
+        let value = |n: u32| 0x9CAD_BECF_u32.wrapping_sub(n * 0x0101_0101);
+        for (n, (member, _)) in (0..).zip(MEMBERS) {
+            assert!(unit.set(member, value(n)), "{member}");
+        }
+        read.run(2);
+        let mode = MEMBERS.iter().position(|(member, _)| *member == "MODE").expect("a member") as u32;
+        check(&read, &|n, member| value(if member == "MODE_ACT" { mode } else { n }));
+    });
     let writes = steps(&|at, member| {
         format!(
             "LOD CNST.12345678h / CAN_SYSIO_WRITE 1,2,32,{member} / LO O1 / WR O1 / LOD CNST.-1 / CAN_SYSIO_READ 1,2,32,{member} / \
              STO DWRD.(BIG+{at})"
         )
     });
-    let mut written = Plc::of(&writes);
-    written.control().can_unit_mut(1, 2, 32);
-    written.run(1);
-    check(&written, &|_, _| 0x1234_5678);
+    with_mutants(|| {
+        let mut written = Plc::of(&writes);
+        written.control().can_unit_mut(1, 2, 32);
+        written.run(1);
+        check(&written, &|_, _| 0x1234_5678);
+    });
 }
 
 #[test]

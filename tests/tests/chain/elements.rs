@@ -196,6 +196,7 @@ fn links_carry_outputs_to_inputs() {
                 DEF_OUT HELD,'Held',TYPE_INT_16,-3,ONDEMAND / DEF_IN OPEN,'Open',TYPE_BIT";
     let main = "LDR SHUT / WR O0 / LDR I0 / WR GATE / LOD W1 / STO SPEED[1] / LDR I1 / JL0 PAST / UPDATE_IN ASKED / PAST:";
     let mut plc = Plc::with_init(init, main);
+    holds(&plc, "GATE=1 HELD=0FFFDh");
     let invert = Conversion { invert: true, ..Conversion::default() };
     let scaled = Conversion { scale: 0.25, offset: 1.0, ..Conversion::default() };
     let control = plc.control();
@@ -216,19 +217,22 @@ fn links_carry_outputs_to_inputs() {
 
 #[test]
 fn update_in_fetches_one_element_or_all_and_leaves_the_registers() {
-    let init = "DEF_IN POS[3],'Pos',TYPE_INT_32,-,ONDEMAND / DEF_OUT LAMP,'Lamp',TYPE_BIT";
+    let init = "DEF_IN POS[3],'Pos',TYPE_INT_32,-,ONDEMAND / DEF_OUT LAMP,'Lamp',TYPE_BIT / DEF_IN KEY,'Key',TYPE_BIT,-,ONDEMAND";
     let read = "LOD POS[0] / STO D1 / LOD POS[1] / STO D2 / LOD POS[2] / STO QWRD.Q1";
     for (fetch, expected) in
-        [("POS[1]", "D1=0 D2=2 QWRD.Q1=0"), ("POS", "D1=1 D2=2 QWRD.Q1=3"), ("LAMP", "D1=0 D2=0 QWRD.Q1=0")]
+        [("POS[1]", "D1=0 D2=2 QWRD.Q1=0"), ("POS", "D1=1 D2=2 QWRD.Q1=3"), ("LAMP", "D1=0 D2=0 QWRD.Q1=0"), ("KEY", "D1=0 D2=0 QWRD.Q1=0")]
     {
         let main = format!("LOD CNST.77 / LDR I0 / UPDATE_IN {fetch} / WR O0 / STO W1 / {read}");
         let mut plc = Plc::with_init(init, &main);
         for (id, value) in [("Pos", 1_i64), ("Pos[1]", 2), ("Pos[2]", 3)] {
             set(&mut plc, id, value);
         }
+        // Any number but 0 is a bit.
+        set(&mut plc, "Key", 2_i64);
         plc.set("I0=1");
         plc.run(1);
-        holds(&plc, &format!("W1=77 O0=1 {expected}"));
+        holds(&plc, &format!("W1=77 O0=1 {expected} KEY={}", u8::from(fetch == "KEY")));
+        assert_eq!(plc.control().output("Lamp"), Some(&false.into()));
     }
 }
 

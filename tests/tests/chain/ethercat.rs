@@ -203,6 +203,8 @@ fn errors_are_told_in_dr_and_nothing_is_transferred() {
         ("ECAT_COE_READ 0,1,603Fh,0,W1,D1", 0x10002, "5"),
         ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 0x10002, "5"),
         ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 3, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,Q1,D1", 0x10004, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,SHORT+1,D1", 4, "5"),
         ("ECAT_COE_WRITE 0,1,6060h,0,W1,D1", 0x10001, "5"),
         ("ECAT_SOE_WRITE 0,1,0,B1,51,Q1,D1", 0x10004, "5"),
         ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,Q1,D1", 0x10004, "5"),
