@@ -60,7 +60,14 @@ pub(crate) fn recorded(source: &str, build: impl FnOnce() -> Image) -> Image {
             // Not a failure: this row says nothing about this mutant.
             resume_unwind(Box::new(NotConcerned));
         }
-        return decode(&fs::read(path).expect("recorded before")).expect("an image");
+        return DECODED.with_borrow_mut(|decoded| match decoded {
+            Some((of, image)) if *of == name => image.clone(),
+            _ => {
+                let image = decode(&fs::read(path).expect("recorded before")).expect("an image");
+                *decoded = Some((name, image.clone()));
+                image
+            }
+        });
     }
     let noted = folder.join(if IN_ROWS.get() { "rows" } else { "tests" }).join(test().replace("::", "-"));
     let image = build();
@@ -72,9 +79,13 @@ pub(crate) fn recorded(source: &str, build: impl FnOnce() -> Image) -> Image {
 
 /// What a source text is called in the folder.
 fn id(text: &str) -> String {
+    format!("{:016x}", hash(text))
+}
+
+pub(super) fn hash(text: &str) -> u64 {
     let mut hasher = DefaultHasher::new();
     text.hash(&mut hasher);
-    format!("{:016x}", hasher.finish())
+    hasher.finish()
 }
 
 /// The name of the running test.
@@ -100,6 +111,8 @@ thread_local! {
     static IN_ROWS: Cell<bool> = const { Cell::new(false) };
     /// What rows noticed so far.
     static SEEN: RefCell<BTreeSet<String>> = const { RefCell::new(BTreeSet::new()) };
+    /// What was read last: a row reads the same again for each mutant.
+    static DECODED: RefCell<Option<(String, Image)>> = const { RefCell::new(None) };
     /// The program loaded last.
     static LOADED: RefCell<String> = const { RefCell::new(String::new()) };
 }

@@ -21,6 +21,8 @@ pub(in super::super) const EXEMPT: &[(&[&str], &str)] = &[
         &["ECAT_SOE_READ: flags Byte as Word", "ECAT_SOE_WRITE: flags Byte as Word"],
         "the flags are a byte, whatever they are declared as",
     ),
+    (&["DEF_OUT: type TYPE_BIT as TYPE_INT_8"], "a bit has a byte of its own and is told as 0 or 1"),
+    (&["UPDATE_IN: cell next bit"], "elements are found by their byte"),
     (
         &["SHARE_BIT: SHARE_VAR", "SHARE_VAR: SHARE_BIT"],
         "the third operand, a bit or a type, tells them apart",

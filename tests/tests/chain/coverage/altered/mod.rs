@@ -44,8 +44,8 @@ pub(super) fn alterations(program: &Program) -> BTreeSet<String> {
             continue;
         }
         seen.push(op);
-        for (name, changes) in changes(program, at) {
-            found.extend(changes.into_iter().map(|(what, _)| format!("{name}: {what}")));
+        for (name, changes) in names_of(program, at) {
+            found.extend(changes(program, at).into_iter().map(|(what, _)| format!("{name}: {what}")));
         }
     }
     found
@@ -58,10 +58,9 @@ pub(super) fn alter(image: &mut Image, alteration: &str) {
     let original = image.program.clone();
     let program = &mut image.program;
     for at in 0..original.code.len() {
-        let changes = changes(&original, at).into_iter().filter(|(of, _)| of == name);
-        let Some((_, change)) = changes.flat_map(|(_, changes)| changes).find(|(of, _)| of == what) else {
-            continue;
-        };
+        let of_name = names_of(&original, at).into_iter().filter(|(of, _)| of == name);
+        let mut all = of_name.flat_map(|(_, changes)| changes(&original, at));
+        let Some((_, change)) = all.find(|(of, _)| of == what) else { continue };
         match (change, original.code[at]) {
             (Change::Op(op), _) => program.code[at] = op,
             (Change::Around(before, behind), _) => around.push((at, before, behind)),
@@ -78,16 +77,18 @@ pub(super) fn alter(image: &mut Image, alteration: &str) {
     }
 }
 
-/// What can be done to an operation, by the names of what it is done to.
-fn changes(program: &Program, at: usize) -> Vec<(String, Changes)> {
-    let op = &program.code[at];
-    let mut found = Vec::new();
+/// The names of an operation: as what it does, and as what it does to registers. Each with what can be done to it.
+fn names_of(program: &Program, at: usize) -> Vec<(String, fn(&Program, usize) -> Changes)> {
+    let mut found: Vec<(String, fn(&Program, usize) -> Changes)> = Vec::new();
     if let Some(name) = names::name(program, at) {
-        let others = operations::others(op).into_iter().map(|(what, op)| (what, Change::Op(op)));
-        found.push((name, others.chain(parameters::others(program, op)).collect()));
+        found.push((name, |program, at| {
+            let op = &program.code[at];
+            let others = operations::others(op).into_iter().map(|(what, op)| (what, Change::Op(op)));
+            others.chain(parameters::others(program, op)).collect()
+        }));
     }
-    if let Some(name) = registers::name(program, op) {
-        found.push((name, registers::others(program, op)));
+    if let Some(name) = registers::name(program, &program.code[at]) {
+        found.push((name, |program, at| registers::others(program, &program.code[at])));
     }
     found
 }
