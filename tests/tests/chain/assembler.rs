@@ -261,7 +261,11 @@ fn every_conditional_jump_at_every_width() {
                     .filter(|(_, (_, jumps))| !jumps(signed_a, signed_b, mask, difference))
                     .map(|(n, _): (u32, _)| 1_u32 << n)
                     .sum();
-                assert_eq!(plc.differences(&format!("DWRD.Q1=0{stayed:X}h")), [""; 0], "{bits}: {a:X}h, {b:X}h");
+                assert_eq!(
+                    plc.differences(&format!("DWRD.Q1=0{stayed:X}h")),
+                    [""; 0],
+                    "{bits}: {a:X}h, {b:X}h"
+                );
             }
         });
     }

@@ -144,7 +144,12 @@ fn analogue_values_go_to_the_port_or_to_the_spindle() {
     for letter in ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"] {
         outputs(spindles, &format!("ANALOG 9,{letter}"), "", [0, 0, 0, 0, 9, 0]);
     }
-    outputs("", "ANALOG_PORT B1 / ANALOG 8 / ANALOG_PORT W1 / ANALOG WORD.W2", "B1=3 W1=2 W2=-6", [0, -6, 8, 0, 0, 0]);
+    outputs(
+        "",
+        "ANALOG_PORT B1 / ANALOG 8 / ANALOG_PORT W1 / ANALOG WORD.W2",
+        "B1=3 W1=2 W2=-6",
+        [0, -6, 8, 0, 0, 0],
+    );
     outputs(spindles, "LOD CNST.6 / ANALOG -,4 / ANALOG NIL,5,2", "", [0, 0, 0, 6, 6, 0]);
     outputs(spindles, "ANALOG_SPI W1,4 / ANALOG_SPI WORD.W2,5", "W1=11 W2=-12", [0, 0, 0, 11, -12, 0]);
     outputs(spindles, "ANALOG_SPI 7,5 / ANALOG_SPI 40000,4", "", [0, 0, 0, -25_536, 7, 0]);

@@ -408,7 +408,8 @@ fn a_packet_is_cut_at_the_end_of_its_place() {
 #[test]
 fn a_handle_has_32_bits() {
     for end in ["CAN_RECV_END", "CAN_RECV_DEL"] {
-        let lines = format!("LDR I0 / JL0 L9 / {end} D1 / WR O0 / L9: / PROC_BEGIN P / LOD FIVE / PROC_END P");
+        let lines =
+            format!("LDR I0 / JL0 L9 / {end} D1 / WR O0 / L9: / PROC_BEGIN P / LOD FIVE / PROC_END P");
         let mut plc = Plc::with_init("CAN_RECV_REQ 2,580h,-,1,-,P,PACKET / STO D1 / WR O1", &lines);
         assert_eq!(plc.differences("O1=1 D1=1"), [""; 0]);
         plc.set("I0=1 D1=10001h O0=1");

@@ -164,8 +164,10 @@ fn every_type_has_its_width_and_its_sign() {
                     "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
                 );
                 let wide = if bits == 64 { "QWRD." } else { "" };
-                let mut plc =
-                    Plc::with_init(&init, &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"));
+                let mut plc = Plc::with_init(
+                    &init,
+                    &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"),
+                );
                 set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
                 plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
                 plc.run(1);
@@ -219,9 +221,12 @@ fn links_carry_outputs_to_inputs() {
 fn update_in_fetches_one_element_or_all_and_leaves_the_registers() {
     let init = "DEF_IN POS[3],'Pos',TYPE_INT_32,-,ONDEMAND / DEF_OUT LAMP,'Lamp',TYPE_BIT / DEF_IN KEY,'Key',TYPE_BIT,-,ONDEMAND";
     let read = "LOD POS[0] / STO D1 / LOD POS[1] / STO D2 / LOD POS[2] / STO QWRD.Q1";
-    for (fetch, expected) in
-        [("POS[1]", "D1=0 D2=2 QWRD.Q1=0"), ("POS", "D1=1 D2=2 QWRD.Q1=3"), ("LAMP", "D1=0 D2=0 QWRD.Q1=0"), ("KEY", "D1=0 D2=0 QWRD.Q1=0")]
-    {
+    for (fetch, expected) in [
+        ("POS[1]", "D1=0 D2=2 QWRD.Q1=0"),
+        ("POS", "D1=1 D2=2 QWRD.Q1=3"),
+        ("LAMP", "D1=0 D2=0 QWRD.Q1=0"),
+        ("KEY", "D1=0 D2=0 QWRD.Q1=0"),
+    ] {
         let main = format!("LOD CNST.77 / LDR I0 / UPDATE_IN {fetch} / WR O0 / STO W1 / {read}");
         let mut plc = Plc::with_init(init, &main);
         for (id, value) in [("Pos", 1_i64), ("Pos[1]", 2), ("Pos[2]", 3)] {

@@ -149,7 +149,9 @@ fn each_command_leads_to_its_state() {
     for (name, state) in states {
         // From above and from below.
         for first in ["INIT", "OPERATIONAL"] {
-            for (who, address) in [("SLAVE", "0,1"), ("SLAVE", "B2,W1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")] {
+            for (who, address) in
+                [("SLAVE", "0,1"), ("SLAVE", "B2,W1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")]
+            {
                 with_mutants(|| {
                     let mut plc = Plc::of(&format!(
                         "MECH_BEGIN M / ECAT_COMMAND {address},ECATCMD_{who}_{first} / EX0 / EX / \
@@ -210,7 +212,9 @@ fn errors_are_told_in_dr_and_nothing_is_transferred() {
         ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,Q1,D1", 0x10004, "5"),
     ] {
         let mut plc = transfer(lines);
-        plc.set(&format!("M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h WORD.(AREA+2)=101h WORD.(AREA+4)=133h W1=7777h D2=-1"));
+        plc.set(&format!(
+            "M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h WORD.(AREA+2)=101h WORD.(AREA+4)=133h W1=7777h D2=-1"
+        ));
         plc.run(3);
         let length = if lines.contains("SLAVE_INIT") { wanted } else { 0 };
         let found = plc.differences(&format!("M=0 O0=1 D2={code} D1={length} W1=7777h"));

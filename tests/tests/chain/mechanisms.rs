@@ -119,7 +119,13 @@ fn the_line_is_that_of_the_instruction_it_waits_at() {
     for wait in ["EX0", "EX1", "TIM -,2", "TEX0 -,2,E", "TEX1 -,2,E"] {
         let condition = if wait.contains('1') { "LDR -I0" } else { "LDR I0" };
         let lines = format!("MECH_BEGIN M / {condition} / {wait} / E: / MECH_END M");
-        follow(&lines, &[("M=1", &format!("M=1 M_LINE={line}")), ("I0=1", &format!("M_LINE={}", if wait.starts_with("TIM") { line } else { 0 }))]);
+        follow(
+            &lines,
+            &[
+                ("M=1", &format!("M=1 M_LINE={line}")),
+                ("I0=1", &format!("M_LINE={}", if wait.starts_with("TIM") { line } else { 0 })),
+            ],
+        );
     }
 }
 

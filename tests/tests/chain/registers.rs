@@ -251,8 +251,9 @@ fn of_mechanisms() {
         "MECH_INIT M",
     ];
     let wrong = wrong_rows(&rows, |line| {
-        let mut plc =
-            Plc::of(&format!("MECH_BEGIN M / {BEFORE} / {line} / STO QWRD.Q1 / STO REAL.R1 / WR O0 / MECH_END M"));
+        let mut plc = Plc::of(&format!(
+            "MECH_BEGIN M / {BEFORE} / {line} / STO QWRD.Q1 / STO REAL.R1 / WR O0 / MECH_END M"
+        ));
         plc.set("M=1");
         plc.run(1);
         plc.differences("O0=1 QWRD.Q1=77 REAL.R1=1.5").into_iter().chain(plc.fault()).collect()
@@ -297,7 +298,8 @@ fn of_transfers() {
         "ECAT_COMMAND 0,1,ECATCMD_SLAVE_INIT",
     ];
     let wrong = wrong_rows(&rows, |line| {
-        let mut plc = Plc::of(&format!("{BEFORE} / MECH_BEGIN M / {line} / STO REAL.R2 / EX0 / FL 1,O0 / MECH_END M"));
+        let mut plc =
+            Plc::of(&format!("{BEFORE} / MECH_BEGIN M / {line} / STO REAL.R2 / EX0 / FL 1,O0 / MECH_END M"));
         let columns = vec![Column { id: b"A".to_vec(), kind: ValueKind::Int }];
         let tables = vec![Table { columns, rows: vec![Vec::new()] }];
         plc.control().set_data(ControlData { tables, ..ControlData::default() });

@@ -294,7 +294,10 @@ fn a_table_without_lines_and_one_without_columns() {
         plc.control().set_data(ControlData { tables: tables.clone(), ..ControlData::default() });
         plc.set("W1=7");
         plc.run(2);
-        plc.differences(&format!("M=0 QWRD.LONG=6867666564636261h {then}")).into_iter().chain(plc.fault()).collect()
+        plc.differences(&format!("M=0 QWRD.LONG=6867666564636261h {then}"))
+            .into_iter()
+            .chain(plc.fault())
+            .collect()
     });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -62,9 +62,9 @@ fn unexpected_of_alterations(folder: &Path) -> String {
     recorded.retain(|alteration, _| chosen(alteration));
     let expected = altered::EXEMPT.iter().flat_map(|(alterations, _)| *alterations).copied();
     let expected = expected.filter(|alteration| chosen(alteration)).collect();
-    let open = recorded.iter().map(|(alteration, of)| {
-        Open::new(vec![alteration], tried(alteration, &of.tests, &expected))
-    });
+    let open = recorded
+        .iter()
+        .map(|(alteration, of)| Open::new(vec![alteration], tried(alteration, &of.tests, &expected)));
     let survivors = mutants::survivors(folder, open.collect());
     unexpected("other meanings", recorded.len(), &survivors, &expected)
 }

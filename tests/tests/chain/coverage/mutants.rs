@@ -82,7 +82,7 @@ fn next_rounds<'a>(open: &mut [Open<'a>]) -> Vec<Round<'a>> {
         let free = |meeting: &&Meeting| {
             if meeting.single { !round.contains_key(&*meeting.test) } else { !taken.contains(&*meeting.test) }
         };
-        let Some(at) = mutant.tests.iter().position(|meeting| free(meeting)) else { continue };
+        let Some(at) = mutant.tests.iter().position(free) else { continue };
         let Some(meeting) = mutant.tests.remove(at) else { continue };
         if meeting.single {
             taken.insert(&meeting.test);
@@ -96,7 +96,8 @@ fn next_rounds<'a>(open: &mut [Open<'a>]) -> Vec<Round<'a>> {
 /// The mutants that were noticed: their tests failed, or rows of tables did.
 fn noticed(folder: &Path, process: usize, round: &Round<'_>) -> BTreeSet<String> {
     let (plan, rows) = (folder.join(format!("plan-{process}")), folder.join(format!("noticed-{process}")));
-    let mutants = round.iter().flat_map(|(test, mutants)| mutants.iter().map(move |it| format!("{test}={it}\n")));
+    let mutants =
+        round.iter().flat_map(|(test, mutants)| mutants.iter().map(move |it| format!("{test}={it}\n")));
     fs::write(&plan, mutants.collect::<String>()).expect("a file");
     fs::write(&rows, "").expect("a file");
     let mut arguments = vec!["--exact", "--test-threads", "2"];

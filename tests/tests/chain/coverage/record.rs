@@ -55,7 +55,8 @@ pub(crate) fn recorded(source: &str, build: impl FnOnce() -> Image) -> Image {
     let path = folder.join(&name);
     if env::var_os(MUTANTS).is_some() {
         LOADED.with_borrow_mut(|loaded| loaded.clone_from(&name));
-        let concerned = CURRENT.with_borrow(|mutant| mutant.as_ref().is_none_or(|it| it.programs.contains(&name)));
+        let concerned =
+            CURRENT.with_borrow(|mutant| mutant.as_ref().is_none_or(|it| it.programs.contains(&name)));
         if IN_ROWS.get() && !concerned {
             // Not a failure: this row says nothing about this mutant.
             resume_unwind(Box::new(NotConcerned));
@@ -180,8 +181,9 @@ pub(crate) fn wrong_rows<R: Debug>(rows: &[R], wrong: impl Fn(&R) -> Vec<String>
     let noticed: BTreeSet<String> = noticed.collect();
     let file = env::var_os(NOTICED).expect("where to write to");
     let mut file = File::options().create(true).append(true).open(file).expect("a file");
-    let lines: String = noticed.iter().map(|name| format!("{name}\n")).collect();
-    file.write_all(lines.as_bytes()).expect("a file");
+    for name in &noticed {
+        writeln!(file, "{name}").expect("a file");
+    }
     SEEN.with_borrow_mut(|seen| seen.extend(noticed));
     Vec::new()
 }

@@ -46,7 +46,9 @@ pub(super) fn insert(image: &mut Image, around: &[(usize, Vec<Op>, Vec<Op>)]) {
 fn relocate(program: &mut Program, to: &dyn Fn(&mut Pc)) {
     for op in &mut program.code {
         match op {
-            Op::Jump { target, .. } | Op::AssemblerJump { target, .. } | Op::Raster { end: target, .. } => to(target),
+            Op::Jump { target, .. } | Op::AssemblerJump { target, .. } | Op::Raster { end: target, .. } => {
+                to(target);
+            }
             _ => {}
         }
     }

@@ -34,6 +34,8 @@ pub(super) enum Change {
 
 /// What is done, and what becomes of the operation.
 type Changes = Vec<(String, Change)>;
+/// What can be done to the operation there.
+type ChangesAt = fn(&Program, usize) -> Changes;
 
 /// The alterations that `program` has a place for.
 pub(super) fn alterations(program: &Program) -> BTreeSet<String> {
@@ -78,8 +80,8 @@ pub(super) fn alter(image: &mut Image, alteration: &str) {
 }
 
 /// The names of an operation: as what it does, and as what it does to registers. Each with what can be done to it.
-fn names_of(program: &Program, at: usize) -> Vec<(String, fn(&Program, usize) -> Changes)> {
-    let mut found: Vec<(String, fn(&Program, usize) -> Changes)> = Vec::new();
+fn names_of(program: &Program, at: usize) -> Vec<(String, ChangesAt)> {
+    let mut found: Vec<(String, ChangesAt)> = Vec::new();
     if let Some(name) = names::name(program, at) {
         found.push((name, |program, at| {
             let op = &program.code[at];

@@ -78,7 +78,9 @@ pub(super) fn name(program: &Program, at: usize) -> Option<String> {
         Op::Load { src, width, neg } => {
             format!(" {width:?} {}{}", source(src), if_else(neg, " negated", ""))
         }
-        Op::Arith { src, width, .. } | Op::Compare { src, width, .. } => format!(" {width:?} {}", source(src)),
+        Op::Arith { src, width, .. } | Op::Compare { src, width, .. } => {
+            format!(" {width:?} {}", source(src))
+        }
         Op::Store { width, .. }
         | Op::Move { width, .. }
         | Op::Unary { width, .. }

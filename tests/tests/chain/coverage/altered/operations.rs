@@ -1,7 +1,9 @@
 //! Other operations in the place of one.
 
 use technol_image::assembler::{Condition, Function, Operand};
-use technol_image::op::{Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Place, Raster, Source, Unary, Width};
+use technol_image::op::{
+    Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Place, Raster, Source, Unary, Width,
+};
 
 type Others = Vec<(String, Op)>;
 
@@ -49,7 +51,11 @@ const JUMPS: [Condition; 18] = [
 
 /// The operations it can be confused with, each with what they are instead.
 pub(super) fn others(op: &Op) -> Others {
-    bits(op).or_else(|| moves(op)).or_else(|| calculations(op)).or_else(|| conversions(op)).unwrap_or_else(|| rest(op))
+    bits(op)
+        .or_else(|| moves(op))
+        .or_else(|| calculations(op))
+        .or_else(|| conversions(op))
+        .unwrap_or_else(|| rest(op))
 }
 
 /// Each of `all` but `is`.
@@ -268,7 +274,8 @@ fn rest(op: &Op) -> Others {
     match *op {
         Op::Ex { point, line } => {
             let ex = |wait_when| Op::ExIf { wait_when, point, line };
-            [one("EX0", ex(false)), one("EX1", ex(true)), one("BEX", Op::Bex { point, line }), other_line(op)].concat()
+            [one("EX0", ex(false)), one("EX1", ex(true)), one("BEX", Op::Bex { point, line }), other_line(op)]
+                .concat()
         }
         Op::ExIf { wait_when, point, line } => [
             one("the other value", Op::ExIf { wait_when: !wait_when, point, line }),
@@ -289,9 +296,7 @@ fn rest(op: &Op) -> Others {
             each(&next, condition, |condition| Op::AssemblerJump { condition, target })
         }
         Op::Message { index, cond } => each(&CONDITIONS, cond, |cond| Op::Message { index, cond }),
-        Op::SelectBlock { offset, len } => {
-            one("a byte further", Op::SelectBlock { offset: offset + 1, len })
-        }
+        Op::SelectBlock { offset, len } => one("a byte further", Op::SelectBlock { offset: offset + 1, len }),
         _ => Vec::new(),
     }
 }
@@ -316,10 +321,12 @@ fn assembler(
         Function::ShiftLeft => one("SHR", make(Function::ShiftRight, to, from)),
         Function::ShiftRight => one("SHL", make(Function::ShiftLeft, to, from)),
         Function::Increment => {
-            [one("DEC", make(Function::Decrement, to, from)), one("ADD", make(Function::Add, to, from))].concat()
+            [one("DEC", make(Function::Decrement, to, from)), one("ADD", make(Function::Add, to, from))]
+                .concat()
         }
         Function::Decrement => {
-            [one("INC", make(Function::Increment, to, from)), one("SUB", make(Function::Sub, to, from))].concat()
+            [one("INC", make(Function::Increment, to, from)), one("SUB", make(Function::Sub, to, from))]
+                .concat()
         }
         _ => each(&FUNCTIONS, function, |function| make(function, to, from)),
     };

@@ -6,7 +6,7 @@ use technol_image::op::{Op, Source, Width};
 use technol_image::program::{Message, Program, Timed};
 use technol_image::service::{Arg, Service, ServiceCall};
 
-use super::operations::{beside, behind};
+use super::operations::{behind, beside};
 use super::{Change, Changes};
 
 pub(super) fn others(program: &Program, op: &Op) -> Changes {
@@ -61,16 +61,17 @@ fn more(source: Source, by: i64) -> Source {
 
 fn message(message: &Message) -> Vec<(String, Message)> {
     let mut others = vec![("the other way".to_owned(), Message { set: !message.set, ..*message })];
-    let mut value = |name: &str, value: Option<(Source, Width)>, make: &dyn Fn(Option<(Source, Width)>) -> Message| {
-        let Some((source, width)) = value else { return };
-        others.push((format!("another {name}"), make(Some((more(source, 1), width)))));
-        others.push((format!("no {name}"), make(None)));
-        for other in [Width::Byte, Width::Word, Width::DWord] {
-            if other != width && matches!(source, Source::Mem(_)) {
-                others.push((format!("{name} {width:?} as {other:?}"), make(Some((source, other)))));
+    let mut value =
+        |name: &str, value: Option<(Source, Width)>, make: &dyn Fn(Option<(Source, Width)>) -> Message| {
+            let Some((source, width)) = value else { return };
+            others.push((format!("another {name}"), make(Some((more(source, 1), width)))));
+            others.push((format!("no {name}"), make(None)));
+            for other in [Width::Byte, Width::Word, Width::DWord] {
+                if other != width && matches!(source, Source::Mem(_)) {
+                    others.push((format!("{name} {width:?} as {other:?}"), make(Some((source, other)))));
+                }
             }
-        }
-    };
+        };
     value("number", message.number, &|number| Message { number, ..*message });
     value("supplement", message.sub_id, &|sub_id| Message { sub_id, ..*message });
     for n in 0..3 {
@@ -118,9 +119,8 @@ fn siblings(service: Service) -> Vec<Service> {
     let beside = [at.checked_sub(1), Some(at + 1)];
     let beside = beside.into_iter().flatten().filter_map(|at| Service::ALL.get(at).copied());
     // A synonym is the same.
-    let synonym = |it: Service| {
-        [service, it].iter().all(|it| matches!(it, Service::CanRecvEnd | Service::CanRecvDel))
-    };
+    let synonym =
+        |it: Service| [service, it].iter().all(|it| matches!(it, Service::CanRecvEnd | Service::CanRecvDel));
     beside.filter(|it| family(*it) == family(service) && !synonym(*it)).collect()
 }
 
@@ -234,7 +234,9 @@ impl Spec {
 
 /// The next keyword of the catalogue that means something else.
 fn next_keyword(kind: Option<OperandKind>, word: &str) -> Option<String> {
-    let Some(OperandKind::Keyword(words) | OperandKind::KeywordOrNumber(words, ..)) = kind else { return None };
+    let Some(OperandKind::Keyword(words) | OperandKind::KeywordOrNumber(words, ..)) = kind else {
+        return None;
+    };
     let at = words.iter().position(|it| it.eq_ignore_ascii_case(word))?;
     let mut behind = words[at + 1..].iter().chain(&words[..at]);
     behind.find(|it| type_of(it) != type_of(word)).map(|it| it.to_ascii_uppercase())
