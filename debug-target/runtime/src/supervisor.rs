@@ -316,7 +316,7 @@ impl Runtime {
             Job::Module(index) => return self.run_module(index, world),
             Job::Block => {
                 let progress = self.run_block(world);
-                self.block.publish(&mut self.machine.memory);
+                self.block.publish(&mut self.machine.memory, world.control);
                 return progress;
             }
             Job::Calls => return self.run_calls(world),
@@ -457,6 +457,12 @@ impl Runtime {
                         self.stop_block(Hold::Stop, world);
                     }
                     if !self.block.arrived(world.control) {
+                        return Progress::Done;
+                    }
+                    self.block.reach(&mut self.machine.memory);
+                }
+                Stage::Dwelling { .. } => {
+                    if !self.block.has_dwelt() {
                         return Progress::Done;
                     }
                     self.block.close(&mut self.machine.memory);

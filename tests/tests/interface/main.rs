@@ -8,6 +8,7 @@
 #[path = "../common/frame.rs"]
 mod frame;
 
+mod elements;
 mod exempt;
 mod probe;
 mod scene;

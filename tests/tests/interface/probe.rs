@@ -19,17 +19,9 @@ impl Bits {
         self.0.iter().any(|(at, bits)| mask[*at] & bits != 0)
     }
 
-    /// All of them get those of a value, which is repeated.
-    fn set(&self, memory: &mut [u8], value: &[u8]) {
-        for ((at, mask), byte) in self.0.iter().zip(value.iter().cycle()) {
-            memory[*at] = memory[*at] & !mask | byte & mask;
-        }
-    }
-
-    fn copy(&self, to: &mut [u8], from: &[u8]) {
-        for (at, mask) in &self.0 {
-            to[*at] = to[*at] & !mask | from[*at] & mask;
-        }
+    /// Each with its byte of a value, which is repeated.
+    fn given(&self, value: &[u8]) -> Vec<(usize, u8, u8)> {
+        self.0.iter().zip(value.iter().cycle()).map(|((at, mask), byte)| (*at, *mask, *byte)).collect()
     }
 }
 
@@ -60,11 +52,9 @@ pub(crate) fn moved_by_itself(scenes: &[Scene]) -> Vec<u8> {
 const VALUES: [&[u8]; 6] =
     [&[0], &[0xFF], &[1, 0], &[2, 0, 0, 0], &[0xF4, 1, 0, 0], &[0, 0, 0, 0, 0, 0, 0x1A, 0x40]];
 
-/// Something else happens in the scene when these bits have another value all the time.
-pub(crate) fn acts(scene: &Scene, baseline: &Track, bits: &Bits) -> bool {
-    VALUES.iter().any(|value| {
-        let set = |memory: &mut [u8]| bits.set(memory, value);
-        let hide = |memory: &mut [u8], from: &[u8]| bits.copy(memory, from);
-        !scene.runs_alike(baseline, &Force { bits: &bits.0, set: &set, hide: &hide })
+/// Something else happens in the scene when these bits have another value all the time, or from its middle on.
+pub(crate) fn acts(scene: &Scene, baseline: &Track<'_>, bits: &Bits) -> bool {
+    [0, scene.cycles * 10].into_iter().any(|from| {
+        VALUES.iter().any(|value| !scene.runs_alike(baseline, &Force { from, bits: &bits.given(value) }))
     })
 }

@@ -1,6 +1,7 @@
 //! A machine, a program that does next to nothing, and what is done to its interface.
 
 use std::path::Path;
+use std::rc::Rc;
 
 use technol_analysis::expression::{self, Assignment};
 use technol_analysis::project::{FileReader, load};
@@ -26,7 +27,7 @@ pub(crate) struct Scene {
     pub(crate) init: String,
     pub(crate) main: String,
     /// `cycle: act act …`, a line each: `NAME=VALUE` by the program or debugger, `+key` and `-key`, `go`, `halt`,
-    /// `fault=name` switched on.
+    /// `fault=name` and `mended=name`.
     pub(crate) script: String,
     pub(crate) cycles: u32,
     /// What is done before the PLC starts, and before each cycle.
@@ -50,9 +51,11 @@ impl Scene {
 }
 
 /// What happened.
-pub(crate) struct Track {
+pub(crate) struct Track<'s> {
     /// The system region and what left the control, after each millisecond.
     moments: Vec<(Vec<u8>, Outside)>,
+    /// As the PLC has started.
+    begin: Play<'s>,
     /// State of control and machine at the end.
     end: (u64, u64),
     /// Bits of the system region that changed within a millisecond.
@@ -70,10 +73,10 @@ struct Outside {
 
 /// Bits that have other values than they would, at the beginning of each millisecond.
 pub(crate) struct Force<'f> {
-    pub(crate) bits: &'f [(usize, u8)],
-    pub(crate) set: &'f dyn Fn(&mut [u8]),
-    /// Makes them in the first what they are in the second.
-    pub(crate) hide: &'f dyn Fn(&mut [u8], &[u8]),
+    /// From this millisecond on.
+    pub(crate) from: u32,
+    /// Byte, mask and value.
+    pub(crate) bits: &'f [(usize, u8, u8)],
 }
 
 struct OneFile(String);
@@ -85,10 +88,11 @@ impl FileReader for OneFile {
 }
 
 /// A scene that is being played.
+#[derive(Clone)]
 struct Play<'s> {
     scene: &'s Scene,
     simulation: Simulation,
-    debug: DebugInfo,
+    debug: Rc<DebugInfo>,
     events: usize,
 }
 
@@ -104,13 +108,18 @@ impl Scene {
             .unwrap_or_else(|error| panic!("{}: {error:?}", self.name));
         let mut simulation = Simulation::new(image.program, Some(&machine)).expect("a machine");
         (self.before)(&mut simulation);
-        simulation.start(true);
-        Play { scene: self, simulation, debug: image.debug.expect("a build has debug information"), events: 0 }
+        let debug = image.debug.expect("a build has debug information").into();
+        Play { scene: self, simulation, debug, events: 0 }
     }
 
-    pub(crate) fn run(&self) -> Track {
+    pub(crate) fn run(&self) -> Track<'_> {
         let mut play = self.begin();
-        let mut track = Track { moments: Vec::new(), end: (0, 0), moved: vec![0; SYSTEM] };
+        let mut moved = vec![0; SYSTEM];
+        play.simulation.start(true);
+        let before = self.initial(&play);
+        play.tick();
+        mark_changes(&mut moved, &before, play.memory());
+        let mut track = Track { moments: Vec::new(), begin: play.clone(), end: (0, 0), moved };
         for millis in 0..self.cycles * 20 {
             play.act(millis);
             let before = play.memory().to_vec();
@@ -124,15 +133,37 @@ impl Scene {
         track
     }
 
-    /// The same happens while some bits are forced, these bits apart.
-    pub(crate) fn runs_alike(&self, baseline: &Track, force: &Force<'_>) -> bool {
+    /// What it has come to at its end.
+    pub(crate) fn played(&self) -> Simulation {
         let mut play = self.begin();
+        play.simulation.start(true);
+        play.tick();
+        for millis in 0..self.cycles * 20 {
+            play.act(millis);
+            play.tick();
+        }
+        play.simulation
+    }
+
+    /// Memory as the image has it; what the control writes at power-on comes on top.
+    fn initial(&self, play: &Play<'_>) -> Vec<u8> {
+        let alone = Simulation::new(play.simulation.runtime().program().clone(), None).expect("a program");
+        alone.runtime().memory()[..SYSTEM].to_vec()
+    }
+
+    /// The same happens while some bits are forced, these bits apart.
+    pub(crate) fn runs_alike(&self, baseline: &Track<'_>, force: &Force<'_>) -> bool {
+        let mut play = baseline.begin.clone();
         for (millis, (memory, outside)) in (0..).zip(&baseline.moments) {
             play.act(millis);
-            play.force(force);
+            if millis >= force.from {
+                play.force(force);
+            }
             play.tick();
             let mut now = play.memory().to_vec();
-            (force.hide)(&mut now, memory);
+            for (at, mask, _) in force.bits {
+                now[*at] = now[*at] & !mask | memory[*at] & mask;
+            }
             if now != *memory || play.outside() != *outside {
                 return false;
             }
@@ -183,10 +214,9 @@ impl Play<'_> {
     }
 
     fn force(&mut self, force: &Force<'_>) {
-        let mut memory = self.memory().to_vec();
-        (force.set)(&mut memory);
-        for (at, _) in force.bits {
-            self.simulation.runtime_mut().write_memory(*at as u32, &memory[*at..=*at]).expect("a byte");
+        for (at, mask, value) in force.bits {
+            let byte = self.memory()[*at] & !mask | value & mask;
+            self.simulation.runtime_mut().write_memory(*at as u32, &[byte]).expect("a byte");
         }
     }
 
@@ -210,6 +240,8 @@ impl Play<'_> {
             self.simulation.runtime_mut().command(if word == "go" { Command::ContinueBlock } else { stop });
         } else if let Some(name) = word.strip_prefix("fault=") {
             self.simulation.plant_mut().set_fault(name, true).expect("a fault");
+        } else if let Some(name) = word.strip_prefix("mended=") {
+            self.simulation.plant_mut().set_fault(name, false).expect("a fault");
         } else if let Some((key, down)) =
             word.strip_prefix('+').map(|key| (key, true)).or(word.strip_prefix('-').map(|key| (key, false)))
         {

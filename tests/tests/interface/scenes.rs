@@ -1,6 +1,6 @@
 //! The scenes, and the one in which each symbol that the control reads makes a difference.
 
-use technol_machine::CanPacket;
+use technol_machine::{Analog, Mapping, Physical};
 
 use crate::exempt::fits;
 use crate::scene::Scene;
@@ -10,6 +10,7 @@ const READ: &[(&str, &str)] = &[
     ("ports", "P*OUT SETL_P* SETH_P* ERRLI_P*"),
     ("program of blocks", "STOPPI STOP_REQ STOP_EMERGENCY_REQ START_DISABLE START_SUSPEND REQ_BACKUP_MEM"),
     ("power", "PLC_MEM_BACKUP ANALOG_OUTPUT_PHYSICAL"),
+    ("homing", "HOMING_START_REQ HOMING_REQ REFPOINT_DIST KR* ZPR*"),
     ("way", "MP*PI BZH08PI BZH08PI2 VAZBA* KH*0 KH*1 ZP*0 ZP*1 FEED_OVR FEED_OVR_MULTIPLIER LIMIT_FEED_REQ"),
     ("limited way", "BZH09 BZH10 LIMIT_FEED HOMING SLS_REFER"),
     ("limited rapid way", "LIMIT_FEED_G00_REQ"),
@@ -21,7 +22,6 @@ const READ: &[(&str, &str)] = &[
     ("rapid jog", "REQ_EXT_FEED_G00_AUTMAN EXT_FEED_G00_AUTMAN"),
     ("panel", "MP*MAN BZH08MAN BZH08MAN2 POS_SPACE_MMM AUTMAN_WHEEL_DIS"),
     ("wheel", "KNOB_STEP REQ_ESHIFT ACT_ESHIFT SHIFT_ENABLE AUTMAN_KNOB_TOGGLE AUTMAN_SEL2"),
-    ("homing", "HOMING_START_REQ HOMING_REQ REFPOINT_DIST KR* ZPR*"),
     ("homing of servo loops", "REF_SERV_*"),
     ("orientation", "POLOHV*"),
     ("spindle", "SPINDLE_GEAR_ACT_1 REQ_EXT_SPINDLE_GEAR REQ_MAN_SPINDLE_GEAR SPEED_OVR SPEED_OVR_MULTIPLIER"),
@@ -65,12 +65,12 @@ fn block(keys: &str, target: f64) -> String {
 }
 
 pub(crate) fn all() -> Vec<Scene> {
-    let mut all = vec![ports(), power(), blocks()];
+    let mut all = vec![ports(), power(), blocks(), continuous()];
     all.extend(ways());
     all.extend(jogs());
     all.extend(homings());
     all.extend(spindles());
-    all.extend([ethercat(), drives(), slow_cables()]);
+    all.extend([ethercat(), drives(), cables()]);
     all
 }
 
@@ -90,10 +90,14 @@ fn power() -> Scene {
         machine: "[[ramp]]\nsource = 'ANALOG_OUTPUT_PHYSICAL[1]'\nhigh = 10\nrise-per-s = 1000\n\
                   value = 'ANALOG_INPUT_PHYSICAL[2]'\n"
             .to_owned(),
+        init: "MAP_AOUT BELT,'belt',2.5".to_owned(),
         script: "1: REAL.(ANALOG_OUTPUT_PHYSICAL+8)=5.0 REQ_BACKUP_MEM=1".to_owned(),
         before: |simulation| {
             let mut data = simulation.control().data().clone();
             data.backup = vec![7; 10_000];
+            let analog = Analog { channel: 3, scale: 1.0, offset: 0.0, min: -10.0, max: 10.0 };
+            let physical = Physical::AnalogOutput(analog);
+            data.wiring.points.push(Mapping { id: b"belt".to_vec(), physical, connected: true, default: 0.0 });
             simulation.control_mut().set_data(data);
         },
         ..Scene::new("power", 5)
@@ -102,7 +106,7 @@ fn power() -> Scene {
 
 /// A program with all its functions, stopped and started again.
 fn blocks() -> Scene {
-    let first = "at-cycle = 1\nm = [0, 3, 41, 91, 7, 50, 10, 48, 6, 92, 93, 94, 95]\nt = 12345678\nh = 17\ns = 1000\n\
+    let first = "at-cycle = 1\nm = [0, 3, 41, 91, 7, 50, 10, 48, 6, 92, 93, 94, 95, 96]\nt = 12345678\nh = 17\ns = 1000\n\
                  rapid = true\nfeed = 600\nfeed-max = 900\nspeed = 500.0\ncutting-speed = 50.0\nspeed-limit = 900.0\n\
                  length-mm = 5.0\nscale = 2.0\ndwell = 0.1\nintegers = [1, 2, 3, 4, 5]\nreals = [1.0, 2.0, 3.0, 4.0, 5.0]\n\
                  flags = ['backward', 'selected', 'approach', 'without-technology', 'rev-feed', 'continuous', \
@@ -110,18 +114,25 @@ fn blocks() -> Scene {
     let others = "[[block]]\nm = [4, 42, 8, 51, 11, 60]\nmotion-ms = 20\n\
                   [[block]]\nm = [19, 43, 1]\nmotion-ms = 100\n\
                   [[block]]\nm = [44, 2]\nmode = 'reference'\nmotion-ms = 20\n\
-                  [[block]]\nat-cycle = 44\nm = [30]\nmode = 'central-annulment'\n";
+                  [[block]]\nat-cycle = 74\nm = [30]\nmode = 'central-annulment'\nmotion-ms = 20\n";
     let groups = [(91, 4), (92, 10), (93, 11), (94, 12), (95, 13), (96, 14)];
     let groups: String =
         groups.iter().map(|(m, group)| format!("[[m-function]]\nnumber = {m}\ngroup = {group}\n")).collect();
     Scene {
         machine: format!(
             "[control]\nconditional-stop = true\n{groups}{}{others}[[spindle]]\nport = 1\ngear = [{{ max-speed = 1000 }}]\n",
-            block(first, 1.0)
+            block(first, 30.0)
         ),
-        script: "3: STOP_REQ=1\n6: go\n16: STOP_EMERGENCY_REQ=1\n18: go\n24: go\n34: go\n40: REQ_BACKUP_MEM=1".to_owned(),
-        ..Scene::new("program of blocks", 50)
+        script: "0: START_SUSPEND=1\n4: STOP_REQ=1\n12: go\n20: STOP_EMERGENCY_REQ=1\n30: go\n50: go\n60: go\n\
+                 70: REQ_BACKUP_MEM=1"
+            .to_owned(),
+        ..Scene::new("program of blocks", 80)
     }
+}
+
+fn continuous() -> Scene {
+    let block = "[[block]]\nmotion-ms = 60\nflags = ['continuous']\n";
+    Scene { machine: block.repeat(2), ..Scene::new("continuous run", 12) }
 }
 
 fn ways() -> Vec<Scene> {
@@ -140,6 +151,11 @@ fn ways() -> Vec<Scene> {
             machine: format!("{}{there_and_back}", axes(limits)),
             script: "0: FEED_OVR=1 WORD.BZH09=515 HOMING=65535 SLS_REFER=65535 LIMIT_FEED_REQ=1 LIMIT_FEED=2000000".to_owned(),
             ..Scene::new("limited way", 60)
+        },
+        Scene {
+            machine: block("at-cycle = 1\nfeed = 6000", 20.0),
+            script: "5: STOP_REQ=1\n15: AUTMAN_REQ=1 REQ_EXT_CONT_AUTMAN=1 EXM_X0=1\n18: EXM_X0=0".to_owned(),
+            ..Scene::new("stopped way", 24)
         },
         Scene {
             machine: block("at-cycle = 1\nrapid = true", 20.0),
@@ -164,7 +180,10 @@ fn jogs() -> Vec<Scene> {
         format!("[[key]]\nname = 'p{n}'\npanel = {{ jog = {n} }}\n[[key]]\nname = 'm{n}'\npanel = {{ jog = -{n} }}\n")
     });
     let wheel = "[[key]]\nname = 'select'\npanel = { select-axis = 1 }\n[[key]]\nname = 'wheel'\npanel = { wheel = 5 }\n\
-                 [[key]]\nname = 'rapid'\npanel = 'jog-rapid'\n";
+                 [[key]]\nname = 'rapid'\npanel = 'jog-rapid'\n[[key]]\nname = 'step'\npanel = { wheel-step = 50 }\n\
+                 [[key]]\nname = 'mode'\npanel = 'shift-mode'\n[[key]]\nname = 'active'\npanel = 'shift-active'\n";
+    let select = each(2..=6, |n| format!("[[key]]\nname = 's{n}'\npanel = {{ select-axis = {n} }}\n"));
+    let others = each(2..=6, |n| format!("{}: +s{n} +wheel\n{}: -wheel\n", 20 + 3 * n, 21 + 3 * n));
     vec![
         Scene {
             machine: spindle.to_owned(),
@@ -192,11 +211,11 @@ fn jogs() -> Vec<Scene> {
             ..Scene::new("panel", 18)
         },
         Scene {
-            machine: wheel.to_owned(),
-            script: "1: AUTMAN_REQ=1 KNOB_STEP=100\n2: +select\n3: +wheel\n8: -wheel -select\n10: AUTMAN_REQ=0 REQ_ESHIFT=1 ACT_ESHIFT=1\n\
-                     11: +wheel\n16: ACT_ESHIFT=0\n18: +select\n19: -wheel\n20: ACT_ESHIFT=1\n21: +wheel"
-                .to_owned(),
-            ..Scene::new("wheel", 26)
+            machine: format!("{wheel}{select}"),
+            script: format!("1: AUTMAN_REQ=1 KNOB_STEP=100\n2: +select\n3: +wheel\n8: -wheel -select\n10: AUTMAN_REQ=0 REQ_ESHIFT=1 ACT_ESHIFT=1\n\
+                     11: +wheel\n16: ACT_ESHIFT=0\n18: +select\n19: -wheel\n20: ACT_ESHIFT=1\n21: +wheel\n23: -wheel\n{others}\
+                     42: +step +mode +active"),
+            ..Scene::new("wheel", 45)
         },
     ]
 }
@@ -252,7 +271,7 @@ fn spindles() -> Vec<Scene> {
         Scene {
             machine: format!("{}{speed}", two("")),
             main: analog.to_owned(),
-            script: "0: SPEED_OVR_EXT=800\n25: REQ_EXT_SPINDLE_GEAR=1\n26: REQ_MAN_SPINDLE_GEAR=1".to_owned(),
+            script: "0: SPEED_OVR_EXT=800\n18: REQ_EXT_SPINDLE_GEAR=1 REQ_MAN_SPINDLE_GEAR=1".to_owned(),
             ..Scene::new("spindle", 40)
         },
         Scene {
@@ -264,7 +283,9 @@ fn spindles() -> Vec<Scene> {
         Scene {
             machine: format!("{}{cut}", two("")),
             main: analog.to_owned(),
-            script: format!("0: {values}"),
+            script: format!(
+                "0: {values}\n30: AUTMAN_REQ=1 REQ_EXT_CONT_AUTMAN=1 POS_SPACE_PLC=5 EXM_X0=1\n35: EXM_X0=0"
+            ),
             ..Scene::new("cutting", 60)
         },
         Scene {
@@ -296,25 +317,35 @@ fn drives() -> Scene {
         machine: each(0..=15, drive),
         main: "LDR GO / JL0 L / CAN_AX_SEND 2 / FL 0,GO / L:".to_owned(),
         script: format!(
-            "1: {} {commands} GO=1\n5: {}\n10: {}\n16: {}\n22: {}\n28: {}\n34: {}",
+            "1: {} {commands} GO=1\n5: {}\n10: {}\n16: {}\n22: {}\n28: {}\n36: {}\n42: {}\n48: {}\n54: {}",
             all("EdrvInit"),
             all("EdrvOn"),
             all("EdrvEnable"),
             each(0..=15, |n| format!("DWRD.(SERVO_POSITION+{})=77 ", 4 * n)),
             each(0..=15, |n| format!("fault=f{n} ")),
-            all("EdrvErase"),
+            each(0..=15, |n| format!("mended=f{n} flEdrvErase{n}=1 ")),
+            all("EdrvOn"),
+            all("EdrvEnable"),
             all("EdrvDisable"),
+            all("EdrvDone"),
         ),
-        ..Scene::new("drives", 44)
+        ..Scene::new("drives", 70)
     }
 }
 
-/// Units of the control on the CAN bus, and its other channel.
-fn slow_cables() -> Scene {
+/// Units of the control on the CAN bus: in error, and behind a cable that is cut.
+fn cables() -> Scene {
     Scene {
-        machine: "[[can-unit]]\ncan = 2\ngroup = 1\nboard = 3\n[[fault]]\nname = 'cut'\ncan = 2\ncut = true\n".to_owned(),
+        machine: format!(
+            "{}[[fault]]\nname = 'cut'\ncan = 2\ncut = true\n",
+            each(1..=3, |n| format!("[[can-unit]]\ncan = 2\ngroup = {n}\nboard = 3\n"))
+        ),
         script: "5: fault=cut".to_owned(),
-        also: |simulation, _| simulation.control_mut().can_mut().feed(1, CanPacket::new(5, &[1])),
+        before: |simulation| {
+            for group in 1..=3 {
+                simulation.control_mut().can_unit_mut(1, group, 5).set("ERROR", 8);
+            }
+        },
         ..Scene::new("cables", 10)
     }
 }

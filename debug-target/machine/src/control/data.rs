@@ -3,7 +3,7 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-use super::board::MessageText;
+use super::board::{MessageKind, MessageText};
 use super::elements::ChannelWiring;
 
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
@@ -30,6 +30,14 @@ impl ControlData {
     #[must_use]
     pub fn message(&self, number: u32) -> Option<&MessageText> {
         self.messages.get(&number)
+    }
+
+    /// Messages that the control reports by itself have texts of their own.
+    pub(super) fn know_own_messages(&mut self) {
+        for (number, text) in super::messages::message::TEXTS {
+            let own = || MessageText { kind: MessageKind::Err, persistent: false, text: text.into() };
+            self.messages.entry(number).or_insert_with(own);
+        }
     }
 }
 

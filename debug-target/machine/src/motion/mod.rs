@@ -272,6 +272,11 @@ impl Motion {
         self.block == BlockState::Done && self.axes.iter().enumerate().all(near)
     }
 
+    /// Milliseconds until the block reaches its target, at the speed of now.
+    pub fn block_time_left(&self) -> u32 {
+        self.path.as_ref().map_or(0, Path::millis_left)
+    }
+
     /// How far an axis (1 to 16) is from a coordinate of the part program (POS0) in mm, in µm; 0 for no axis.
     pub fn way_to(&self, axis: u8, coordinate: f64) -> f64 {
         index(axis).map_or(0.0, |index| coordinate * units::UM - self.axes[index].coordinates[0])
