@@ -14,7 +14,7 @@ pub(crate) enum Way {
 }
 use Way::{Read, Written};
 
-/// Symbols, a `*` standing for any letters.
+/// Symbols; a `*` stands for any letters, a `#` at the end for a number.
 pub(crate) struct Exemption {
     pub(crate) way: Way,
     pub(crate) symbols: &'static str,
@@ -34,6 +34,10 @@ impl Exemption {
 
 /// Whether a pattern names it.
 pub(crate) fn fits(pattern: &str, name: &str) -> bool {
+    if let Some(before) = pattern.strip_suffix('#') {
+        let number = name.strip_prefix(before);
+        return number.is_some_and(|it| !it.is_empty() && it.bytes().all(|byte| byte.is_ascii_digit()));
+    }
     match pattern.split_once('*') {
         None => pattern == name,
         Some((before, after)) => name
@@ -92,6 +96,6 @@ pub(crate) const EXEMPT: &[Exemption] = &[
     exempt(Written, "flEdrvSimul*", "only the program chooses the simulation of a drive"),
     exempt(Written, "dwEdrvEnc* flEdrvEnc*", "encoder inputs beside the drive are not modelled"),
     exempt(Read, "dwEdrvEnc* flEdrvEncLatchValid*", "encoder inputs beside the drive are not modelled"),
-    exempt(Read, "dwEdrvDrivePos* wEdrvDriveErrReg* rEdrvScaleSpeed*", "for the program: the control looks at status words"),
+    exempt(Read, "dwEdrvDrivePos# wEdrvDriveErrReg* rEdrvScaleSpeed*", "for the program: the control looks at status words"),
     exempt(Read, "CAN_AX_BUSY", "for the program: a request that still waits is replaced"),
 ];

@@ -16,7 +16,7 @@ mod scenes;
 
 use std::collections::BTreeMap;
 
-use technol_analysis::catalogue::{Direction, SystemSymbol, symbols};
+use technol_analysis::catalogue::{Direction, SystemSymbol, block_members, symbols};
 
 use exempt::{Exemption, Way};
 use probe::{Bits, acts, bits_of, moved_by_itself};
@@ -104,6 +104,21 @@ fn what_is_exempt_from_reading_is_not_read() {
         let stale = listed(stale.map(|(symbol, _)| symbol.spelling));
         panic!("read now in the scene {}, take the exemption away: {stale}", scene.name);
     }
+}
+
+/// Numbers of a block that a part program of the model cannot have.
+const NOT_PROGRAMMED: [&str; 3] = ["FeedCriterial", "ParabAccel", "LinearAccel"];
+
+#[test]
+fn every_member_of_a_block_is_written() {
+    let moved = moved_by_itself(&scenes::all()[..4]);
+    let record = technol_image::system::BLOCK_RECORDS as usize;
+    let still = block_members().filter(|member| {
+        let bits = bits_of(&member.kind).expect("members have memory");
+        bits.meets(&moved[record..]) == NOT_PROGRAMMED.contains(&member.spelling)
+    });
+    let still = listed(still.map(|member| member.spelling));
+    assert!(still.is_empty(), "not written, or written now: {still}");
 }
 
 #[test]

@@ -12,7 +12,8 @@ const READ: &[(&str, &str)] = &[
     ("power", "PLC_MEM_BACKUP ANALOG_OUTPUT_PHYSICAL"),
     ("homing", "HOMING_START_REQ HOMING_REQ REFPOINT_DIST KR* ZPR*"),
     ("way", "MP*PI BZH08PI BZH08PI2 VAZBA* KH*0 KH*1 ZP*0 ZP*1 FEED_OVR FEED_OVR_MULTIPLIER LIMIT_FEED_REQ"),
-    ("limited way", "BZH09 BZH10 LIMIT_FEED HOMING SLS_REFER"),
+    ("overridden way", "BZH09 BZH10"),
+    ("limited way", "LIMIT_FEED HOMING SLS_REFER"),
     ("limited rapid way", "LIMIT_FEED_G00_REQ"),
     ("fast way", "LIMIT_FEED_G00"),
     ("jog", "AUTMAN_REQ REQ_EXT_CONT_AUTMAN EXT_CONT_AUTMAN* EXM_*0 EXM_*1 POS_SPACE_PLC EN_AUTMAN BZH00"),
@@ -131,8 +132,8 @@ fn blocks() -> Scene {
 }
 
 fn continuous() -> Scene {
-    let block = "[[block]]\nmotion-ms = 60\nflags = ['continuous']\n";
-    Scene { machine: block.repeat(2), ..Scene::new("continuous run", 12) }
+    let block = |first: &str| format!("[[block]]\n{first}motion-ms = 60\nflags = ['continuous']\n");
+    Scene { machine: block("at-cycle = 1\n") + &block(""), ..Scene::new("continuous run", 12) }
 }
 
 fn ways() -> Vec<Scene> {
@@ -146,6 +147,11 @@ fn ways() -> Vec<Scene> {
             machine: format!("{}{feed}", axes(slow)),
             script: "0: LIMIT_FEED=100\n8: KHX0=1\n9: KHX0=0\n12: VAZBA_Y=0".to_owned(),
             ..Scene::new("way", 30)
+        },
+        Scene {
+            machine: feed.clone(),
+            script: "0: FEED_OVR=1 WORD.BZH09=515".to_owned(),
+            ..Scene::new("overridden way", 20)
         },
         Scene {
             machine: format!("{}{there_and_back}", axes(limits)),
