@@ -15,7 +15,7 @@ use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, contr
 use technol_analysis::project::LoadedProject;
 use technol_machine::{
     Analog, ChannelWiring, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, MessageKind,
-    MessageText, Physical, Signal, Table, Value, ValueKind,
+    MessageText, Physical, Table, Value, ValueKind,
 };
 use technol_target::{EventLog, Keep, TableWriter};
 
@@ -124,10 +124,8 @@ fn mapping(it: &Point) -> Option<Mapping> {
         min: min.unwrap_or(f64::NEG_INFINITY),
         max: max.unwrap_or(f64::INFINITY),
     };
-    let bit = |signal| Physical::Bit { signal, invert: it.invert };
     let physical = match place(it)? {
-        Place::Input { port, bit: number } => bit(Signal::Input { port, bit: number }),
-        Place::Output { port, bit: number } => bit(Signal::Output { port, bit: number }),
+        Place::Bit(signal) => Physical::Bit { signal, invert: it.invert },
         Place::AnalogInput(channel) => Physical::AnalogInput(analog(channel)),
         Place::AnalogOutput(channel) => Physical::AnalogOutput(analog(channel)),
     };

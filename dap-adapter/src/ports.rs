@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use technol_image::Program;
 use technol_image::debug_info::{DebugInfo, Scope, SymbolKind};
 use technol_image::op::{Addr, BitRef, Op, Place, Source, Width};
-use technol_image::system;
+use technol_image::{Signal, system};
 
 use crate::forcing::{MASKS, MASKS_LEN};
 
@@ -95,25 +95,16 @@ pub(crate) fn used(program: &Program, debug: &DebugInfo) -> Ports {
     ports
 }
 
-fn is_input(addr: Addr) -> bool {
-    (system::IN_PORTS..system::IN_PORTS + system::IN_PORT_COUNT).contains(&addr)
-}
-
 pub(crate) fn is_output(addr: Addr) -> bool {
-    (system::OUT_PORTS..system::OUT_PORTS + system::OUT_PORT_COUNT).contains(&addr)
+    matches!(Signal::of_port_at(addr), Some(Signal::Output { .. }))
 }
 
 pub(crate) fn is_port(addr: Addr) -> bool {
-    is_input(addr) || is_output(addr)
+    Signal::of_port_at(addr).is_some()
 }
 
-/// `P1IN` is the first input port, `P0OUT` the first output port.
-fn port_name(addr: Addr) -> String {
-    if is_output(addr) {
-        format!("P{}OUT", addr - system::OUT_PORTS)
-    } else {
-        format!("P{}IN", addr - system::IN_PORTS + 1)
-    }
+fn port_name(port: Addr) -> String {
+    Signal::of_port_at(port).map(Signal::port_name).unwrap_or_default()
 }
 
 fn bit_names(debug: &DebugInfo) -> Names {

@@ -2,15 +2,17 @@
 
 use std::collections::HashMap;
 
+use technol_image::{Signal, system};
+
 use super::channel::Point;
 use super::problem::Problem;
 use crate::catalogue::ConfigElement;
 use crate::diagnostics::rules::configuration as rules;
 
 /// Ports P1IN to P128IN, counted from 0.
-const INPUT_PORTS: i64 = 128;
+const INPUT_PORTS: i64 = system::IN_PORT_COUNT as i64;
 /// Ports P0OUT to P95OUT.
-const OUTPUT_PORTS: i64 = 96;
+const OUTPUT_PORTS: i64 = system::OUT_PORT_COUNT as i64;
 /// Bits of a port.
 const BITS: i64 = 8;
 /// Analogue channels of each direction.
@@ -19,20 +21,8 @@ const CHANNELS: i64 = 100;
 /// Where a point leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Place {
-    /// A bit of an input port; port 0 is P1IN.
-    Input {
-        /// The port, below 128.
-        port: u8,
-        /// The bit, below 8.
-        bit: u8,
-    },
-    /// A bit of an output port; port 0 is P0OUT.
-    Output {
-        /// The port, below 96.
-        port: u8,
-        /// The bit, below 8.
-        bit: u8,
-    },
+    /// A bit of a port.
+    Bit(Signal),
     /// An analogue input, below 100.
     AnalogInput(u8),
     /// An analogue output, below 100.
@@ -45,8 +35,12 @@ pub fn place(point: &Point) -> Option<Place> {
     let below = |value: i64, end: i64| u8::try_from(value).ok().filter(|value| i64::from(*value) < end);
     let (port, bit) = (point.port, below(point.bit, BITS));
     match point.element {
-        ConfigElement::Input => Some(Place::Input { port: below(port, INPUT_PORTS)?, bit: bit? }),
-        ConfigElement::Output => Some(Place::Output { port: below(port, OUTPUT_PORTS)?, bit: bit? }),
+        ConfigElement::Input => {
+            Some(Place::Bit(Signal::Input { port: below(port, INPUT_PORTS)?, bit: bit? }))
+        }
+        ConfigElement::Output => {
+            Some(Place::Bit(Signal::Output { port: below(port, OUTPUT_PORTS)?, bit: bit? }))
+        }
         ConfigElement::AnalogInput => Some(Place::AnalogInput(below(port, CHANNELS)?)),
         ConfigElement::AnalogOutput => Some(Place::AnalogOutput(below(port, CHANNELS)?)),
         _ => None,
@@ -66,8 +60,8 @@ pub(super) fn check(points: &[Point], problems: &mut Vec<Problem>) {
         };
         let (own, other) = (&point.id.text, &before.id.text);
         let message = match place {
-            Place::Output { port, bit } if before.invert != point.invert => format!(
-                "{own} and {other} both drive P{port}OUT.{bit}, and only one of them is inverted; outputs that share \
+            Place::Bit(output @ Signal::Output { .. }) if before.invert != point.invert => format!(
+                "{own} and {other} both drive {output}, and only one of them is inverted; outputs that share \
                  a bit need the same Invert"
             ),
             Place::AnalogOutput(channel) => {

@@ -1,23 +1,22 @@
 //! The code of one section: walks its lines from top to bottom, looks up operations, checks their place, resolves
 //! their operands and hands them to equations and control flow.
 
+mod names;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::analysis::{Overrun, SectionAnalysis};
-use super::declarations::What;
 use super::equations::Equations;
-use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey, SymbolScope};
+use super::hir::{Body, Instruction, Operand, Statement, StatementKind, SymbolKey};
 use super::macros;
 use super::macros::expand::{Call, Expansion};
 use super::reference::{Reference, ReferenceAccess, Referent};
 use super::scope::{Symbol, SymbolKind};
 use super::{devices, flow, lints, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
-use crate::database::{self, Db, NameRef, Project, Section};
-use crate::diagnostics::rules::{
-    lints as lint_rules, memory, names, operands as operand_rules, sequences, syntax,
-};
+use crate::database::{self, Db, Project, Section};
+use crate::diagnostics::rules::{memory, names as name_rules, operands as operand_rules, sequences, syntax};
 use crate::diagnostics::{Finding, Rule, Severity};
 use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, ExprKind, Line, Name};
@@ -160,7 +159,7 @@ impl<'db> CodeReader<'db> {
             if let Some((first, columns)) = self.labels.get(&key) {
                 let message = format!("the label {} stands here twice", label.text);
                 let finding =
-                    Finding::new(&names::DUPLICATE_LABEL, number as u32, label.columns.clone(), message)
+                    Finding::new(&name_rules::DUPLICATE_LABEL, number as u32, label.columns.clone(), message)
                         .beside(*first, columns.clone(), "the first one");
                 self.out.findings.push(finding);
             } else {
@@ -444,109 +443,6 @@ impl<'db> CodeReader<'db> {
         self.out
     }
 
-    /// The symbol a name stands for here, without a report.
-    pub(super) fn symbol(&self, name: &str) -> Option<&'db Symbol> {
-        let key = Arc::from(crate::syntax::ast::key(name));
-        let name = NameRef::new(self.db, key, self.place.file);
-        database::lookup(self.db, self.project, name).as_ref()
-    }
-
-    /// The symbol a name stands for; reports unknown names, and says nothing about those declared with a mistake.
-    pub(super) fn resolve(&mut self, name: &Name, access: ReferenceAccess) -> Option<Symbol> {
-        if let Some(symbol) = self.symbol(&name.text) {
-            let symbol = symbol.clone();
-            self.refer(name.columns.clone(), Referent::Symbol(symbol.key.clone()), access);
-            self.read_only(name, &symbol, access);
-            if symbol.kind == SymbolKind::Unknown {
-                self.clean = false;
-                return None;
-            }
-            Some(symbol)
-        } else {
-            self.unknown(name);
-            None
-        }
-    }
-
-    /// A write to a cell that only the control writes.
-    fn read_only(&mut self, name: &Name, symbol: &Symbol, access: ReferenceAccess) {
-        let writes = matches!(access, ReferenceAccess::Write | ReferenceAccess::ReadWrite);
-        if !writes || symbol.key.scope != SymbolScope::System {
-            return;
-        }
-        let system = catalogue::symbol(&symbol.key.name);
-        if system.is_some_and(|system| system.direction == catalogue::Direction::CncToPlc) {
-            let message = format!("the control writes {}, the program only reads it", name.text);
-            self.report(&lint_rules::READ_ONLY_CELL, name.columns.clone(), message);
-        }
-    }
-
-    fn unknown(&mut self, name: &Name) {
-        if self.parameter_without_prefix(name) {
-            // Reported where the macro is defined.
-            self.clean = false;
-            return;
-        }
-        let near = self.nearest_symbol(name);
-        let message = match &near {
-            Some(near) => format!("{} is not declared; did you mean {near}?", name.text),
-            None => format!("{} is not declared; declare it with DFM, DS or EQUI", name.text),
-        };
-        let mut finding = Finding::new(&names::UNKNOWN_SYMBOL, self.line, name.columns.clone(), message);
-        if let Some(near) = near {
-            finding = finding.replace(format!("write {near}"), name.columns.clone(), near.as_str());
-        }
-        self.push_finding(finding);
-    }
-
-    fn nearest_symbol(&self, name: &Name) -> Option<String> {
-        let near = database::spellings(self.db, self.project).nearest(&name.text, self.place.file);
-        let near = near.or_else(|| suggest::nearest(&name.text, catalogue::symbols().map(|s| s.name)));
-        near.map(|near| declared_spelling(self.db, self.project, self.place.file, near))
-    }
-
-    /// Whether a label of that key stands in the section.
-    pub(super) fn label(&mut self, name: &Name) -> Option<Arc<str>> {
-        let key: Arc<str> = Arc::from(name.key());
-        if self.labels.contains_key(&key) {
-            self.refer(name.columns.clone(), Referent::Label(key.clone()), ReferenceAccess::Jump);
-            return Some(key);
-        }
-        let near = suggest::nearest(&name.text, self.labels.keys().map(|key| &**key));
-        let elsewhere = self.section_with_label(&key);
-        let message = match (&elsewhere, near) {
-            (Some(place), _) => {
-                format!("the label {} stands in {place}; a jump does not leave its section", name.text)
-            }
-            (None, Some(near)) => {
-                format!("there is no label {} in this section; did you mean {near}?", name.text)
-            }
-            (None, None) => format!("there is no label {} in this module, mechanism or procedure", name.text),
-        };
-        let near = near.filter(|_| elsewhere.is_none());
-        let mut finding = Finding::new(&names::UNKNOWN_LABEL, self.line, name.columns.clone(), message);
-        if let Some(near) = near {
-            finding = finding.replace(format!("write {near}"), name.columns.clone(), near);
-        }
-        self.push_finding(finding);
-        None
-    }
-
-    /// The other section of this file where a label stands.
-    fn section_with_label(&self, key: &str) -> Option<String> {
-        let sections = database::sections(self.db, self.section.file(self.db));
-        let other = sections.iter().filter(|other| **other != self.section).find(|other| {
-            let names = &database::section_declarations(self.db, **other).names;
-            names.iter().any(|declared| declared.what == What::Label && declared.name.key() == key)
-        })?;
-        Some(match other.kind(self.db) {
-            SectionKind::Module(kind) => kind.keyword().to_string(),
-            SectionKind::Mechanism => format!("the mechanism {}", other.name(self.db)),
-            SectionKind::Procedure => format!("the procedure {}", other.name(self.db)),
-            _ => "another section".to_string(),
-        })
-    }
-
     pub(super) fn refer(&mut self, columns: Columns, referent: Referent, access: ReferenceAccess) {
         self.out.references.push(Reference { line: self.line, columns, referent, access });
     }
@@ -593,14 +489,4 @@ impl<'db> CodeReader<'db> {
 /// The first way to write an instruction.
 pub(super) fn form(entry: &Entry) -> &'static str {
     entry.forms.first().map_or(entry.name, |form| form.syntax)
-}
-
-/// A key in the spelling of its declaration.
-fn declared_spelling(db: &dyn Db, project: Project, file: Option<u8>, key: &str) -> String {
-    let name = NameRef::new(db, Arc::from(key), file);
-    let spelling = database::lookup(db, project, name).as_ref().and_then(|symbol| {
-        let site = database::sites(db, project).get(&symbol.key)?.first()?;
-        Some(database::declared(db, project, *site)?.name.text.clone())
-    });
-    spelling.unwrap_or_else(|| key.to_string())
 }

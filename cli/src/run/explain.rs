@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value as Json, json};
 use technol_image::debug_info::{Scope, SymbolKind};
 use technol_image::op::{Addr, Op, Place, Source, Width};
-use technol_image::system::{IN_PORT_COUNT, IN_PORTS, OUT_PORT_COUNT, OUT_PORTS};
 use technol_image::{DebugInfo, Program};
 use technol_machine::{ChannelWiring, MachineConfig, Signal, Wire, Wiring, wiring};
 
@@ -74,11 +73,11 @@ impl Explanation<'_> {
         let wires = self.wiring.drives.iter().chain(&self.wiring.driven);
         let known: BTreeSet<(Signal, bool)> = wires.map(|wire| (wire.signal, wire.whole)).collect();
         let connected =
-            |signal: Signal| known.contains(&(signal, false)) || known.contains(&(with_bit(signal, 0), true));
+            |signal: Signal| known.contains(&(signal, false)) || known.contains(&(signal.with_bit(0), true));
         let bits = self.uses.bits.iter().filter(|(signal, _)| !connected(**signal));
         let bits = bits.map(|(signal, name)| (signal.to_string(), name.clone().unwrap_or_default()));
-        let ports = self.uses.ports.iter().filter(|port| !(0..8).any(|bit| connected(with_bit(**port, bit))));
-        bits.chain(ports.map(|port| (at(*port, true), "the whole port".to_owned()))).collect()
+        let ports = self.uses.ports.iter().filter(|port| !(0..8).any(|bit| connected(port.with_bit(bit))));
+        bits.chain(ports.map(|port| (port.port_name(), "the whole port".to_owned()))).collect()
     }
 
     fn json(&self) -> Json {
@@ -110,12 +109,6 @@ impl Explanation<'_> {
             }).collect::<Vec<_>>(),
         })
     }
-}
-
-/// A bit or a whole port as text.
-fn at(signal: Signal, whole: bool) -> String {
-    let text = signal.to_string();
-    if whole { text.split('.').next().unwrap_or_default().to_owned() } else { text }
 }
 
 /// A title and rows in two columns; nothing without rows.
@@ -158,12 +151,15 @@ impl Uses {
         let mut copies: BTreeMap<Signal, BTreeSet<Addr>> = BTreeMap::new();
         for (pc, op) in program.code.iter().enumerate() {
             for (addr, bit) in bits(op) {
-                if let Some(port) = port(addr) {
-                    uses.bits.entry(with_bit(port, bit)).or_insert(None);
+                if let Some(port) = Signal::of_port_at(addr) {
+                    uses.bits.entry(port.with_bit(bit)).or_insert(None);
                 }
             }
-            for port in
-                bytes(op).into_iter().flatten().flat_map(|(addr, len)| addr..addr + len).filter_map(port)
+            for port in bytes(op)
+                .into_iter()
+                .flatten()
+                .flat_map(|(addr, len)| addr..addr + len)
+                .filter_map(Signal::of_port_at)
             {
                 uses.ports.insert(port);
             }
@@ -171,7 +167,7 @@ impl Uses {
                 for byte in 0..len {
                     let (from, to) = (from + byte, to + byte);
                     for (addr, other) in [(from, to), (to, from)] {
-                        if let Some(port) = port(addr) {
+                        if let Some(port) = Signal::of_port_at(addr) {
                             copies.entry(port).or_default().insert(other);
                         }
                     }
@@ -182,7 +178,7 @@ impl Uses {
         for (port, cells) in copies {
             for (bit, name) in cells.iter().filter_map(|cell| names.get(cell)).flatten() {
                 uses.ports.remove(&port);
-                uses.bits.entry(with_bit(port, *bit)).or_default().get_or_insert_with(|| (*name).to_owned());
+                uses.bits.entry(port.with_bit(*bit)).or_default().get_or_insert_with(|| (*name).to_owned());
             }
         }
         uses
@@ -191,20 +187,6 @@ impl Uses {
     fn name(&self, signal: Signal) -> Option<&str> {
         self.bits.get(&signal)?.as_deref()
     }
-}
-
-fn with_bit(port: Signal, bit: u8) -> Signal {
-    match port {
-        Signal::Input { port, .. } => Signal::Input { port, bit },
-        Signal::Output { port, .. } => Signal::Output { port, bit },
-    }
-}
-
-/// The port that a byte of memory is: its bit 0.
-fn port(addr: Addr) -> Option<Signal> {
-    let index = |start: Addr, count: u32| addr.checked_sub(start).filter(|n| *n < count).map(|n| n as u8);
-    let input = index(IN_PORTS, IN_PORT_COUNT).map(|port| Signal::Input { port, bit: 0 });
-    input.or_else(|| index(OUT_PORTS, OUT_PORT_COUNT).map(|port| Signal::Output { port, bit: 0 }))
 }
 
 /// Bits that an operation names.

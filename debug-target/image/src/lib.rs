@@ -14,6 +14,7 @@ pub mod debug_info;
 pub mod op;
 pub mod program;
 pub mod service;
+pub mod signal;
 pub mod system;
 
 pub use container::{DecodeError, Image, decode, encode};
@@ -21,3 +22,4 @@ pub use debug_info::DebugInfo;
 pub use op::{BitRef, Cond, Op, Place, Source, Width};
 pub use program::{ContentHash, Program};
 pub use service::{Arg, Service, ServiceCall};
+pub use signal::Signal;

@@ -189,7 +189,7 @@ impl<'a> Compiler<'a> {
 
     /// A whole port: its index in the input or output image.
     pub(crate) fn port(&mut self, key: &'static str, name: &str, input: bool) -> Option<u8> {
-        match (crate::signal::parse_port(name), input) {
+        match (Signal::of_port_named(name), input) {
             (Some(Signal::Input { port, .. }), true) | (Some(Signal::Output { port, .. }), false) => {
                 Some(port)
             }

@@ -44,5 +44,5 @@ pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};
 pub use plant::{Plant, PlantEvent, UnknownName};
 pub use settings::ControlSettings;
-pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
+pub use signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
 pub use wiring::{Wire, Wiring, wiring};

@@ -14,7 +14,7 @@ use crate::control::elements::identifier;
 use crate::control::ethercat::layout::{self, Line};
 use crate::motion::Thousandths;
 use crate::motion::config::Axis;
-use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal, parse_port};
+use crate::signal::{INPUT_PORTS, OUTPUT_PORTS, Signal};
 
 mod buses;
 
@@ -118,7 +118,7 @@ struct Element<'a> {
 impl Element<'_> {
     fn wire(&self, name: &str, text: &str) -> Option<Wire> {
         let bit = name.parse().ok().or_else(|| slave_bit(self.lines, name)).map(|signal| (signal, false));
-        let whole = || parse_port(name).or_else(|| self.value(name)).map(|port| (port, true));
+        let whole = || Signal::of_port_named(name).or_else(|| self.value(name)).map(|port| (port, true));
         let (signal, whole) = bit.or_else(whole)?;
         let place = if is_port(signal) { shown(signal, whole) } else { name.trim().into() };
         Some(Wire { signal, whole, place, element: self.name.clone(), text: text.into() })
@@ -164,8 +164,7 @@ fn is_port(signal: Signal) -> bool {
 
 /// A bit or a whole port as text.
 fn shown(signal: Signal, whole: bool) -> String {
-    let text = signal.to_string();
-    if whole { text.split('.').next().unwrap_or_default().to_string() } else { text }
+    if whole { signal.port_name() } else { signal.to_string() }
 }
 
 fn any(names: &[String]) -> String {

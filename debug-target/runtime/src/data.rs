@@ -11,13 +11,28 @@ use crate::registers::Registers;
 /// Bytes that a cell is read in, whatever its width.
 const READ: usize = 4;
 
-/// How a calculation takes DR and its operand together.
-mod select {
-    pub(super) const SUM: u8 = 1;
-    pub(super) const NEGATIVE: u8 = 2;
-    pub(super) const AND: u8 = 4;
-    pub(super) const XOR: u8 = 8;
-    pub(super) const PRODUCT: u8 = 16;
+/// How a calculation takes DR and its operand together; -1 is yes and 0 no.
+///
+/// `DR + x` is `(DR ^ x) + 2 * (DR & x)`, and with other factors the same sum is each of the logic functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Function {
+    /// The operand is taken with the other sign.
+    negates: i8,
+    /// Bits that differ count.
+    different: i8,
+    /// How often bits that both have count.
+    common: i8,
+    /// It is their product instead, in all bits of DR.
+    product: i8,
+}
+
+impl Function {
+    const ADD: Function = Function { negates: 0, different: -1, common: 2, product: 0 };
+    const SUBTRACT: Function = Function { negates: -1, ..Function::ADD };
+    const AND: Function = Function { negates: 0, different: 0, common: 1, product: 0 };
+    const OR: Function = Function { negates: 0, different: -1, common: 1, product: 0 };
+    const XOR: Function = Function { negates: 0, different: -1, common: 0, product: 0 };
+    const MULTIPLY: Function = Function { negates: 0, different: 0, common: 0, product: -1 };
 }
 
 /// A cell or a constant.
@@ -53,8 +68,8 @@ impl Operand {
     }
 
     /// This and that function do something to DR.
-    fn calculates(&self, select: u8) -> bool {
-        select != select::SUM || self.cell != 0 || self.value != 0
+    fn calculates(&self, function: Function) -> bool {
+        function != Function::ADD || self.cell != 0 || self.value != 0
     }
 
     /// Sign-extended.
@@ -70,10 +85,13 @@ pub(crate) struct Data {
     load: Operand,
     operand: Operand,
     write: BitWrite,
-    /// Where DR, or what is moved, goes; bits by which that is less than 32 bits wide; bit RLO: it goes.
+    /// Where DR, or what is moved, goes; for either RLO: which bits of it.
     to: u16,
-    to_shift: u8,
-    when: u8,
+    stored: [u32; 2],
+    /// What a calculation does; the bits of DR that it changes.
+    function: Function,
+    changes: i64,
+    /// Of a comparison or of what is taken from the equation stack, see [`Kind`].
     select: u8,
     /// -1: DR is kept; 0: `load` is put there first.
     keep: i8,
@@ -90,9 +108,18 @@ struct Draft {
 }
 
 impl Draft {
-    fn new(kind: Kind, select: u8) -> Draft {
-        let (load, operand, write) = (Operand::NONE, Operand::NONE, BitWrite::none(0));
-        let data = Data { load, operand, write, to: 0, to_shift: 0, when: 0, select, keep: -1 };
+    fn new(kind: Kind) -> Draft {
+        let data = Data {
+            load: Operand::NONE,
+            operand: Operand::NONE,
+            write: BitWrite::none(0),
+            to: 0,
+            stored: [0; 2],
+            function: Function::ADD,
+            changes: 0,
+            select: 0,
+            keep: -1,
+        };
         Draft { kind, operations: 1, loads: false, data }
     }
 
@@ -104,27 +131,28 @@ impl Draft {
 
     /// Of one data operation.
     fn of(op: &Op) -> Option<Draft> {
-        let with = |kind, source: &Source, width, select| {
+        let with = |kind, source: &Source, width| {
             let operand = Operand::new(source, width)?;
-            Some(Draft::new(kind, select).with(|data| data.operand = operand))
+            Some(Draft::new(kind).with(|data| data.operand = operand))
         };
         match op {
             Op::Load { src, width, neg: false } => {
                 let load = Operand::new(src, *width)?;
-                let draft = Draft { loads: true, ..Draft::new(Kind::CALCULATE, select::SUM) };
+                let draft = Draft { loads: true, ..Draft::new(Kind::CALCULATE) };
                 Some(draft.with(|data| data.load = load))
             }
             Op::Arith { op, src, width } => {
-                let select = match op {
-                    Arith::Add => select::SUM,
-                    Arith::Sub => select::SUM | select::NEGATIVE,
-                    Arith::And => select::AND,
-                    Arith::Xor => select::XOR,
-                    Arith::Or => select::AND | select::XOR,
-                    Arith::Mul => select::PRODUCT,
+                let function = match op {
+                    Arith::Add => Function::ADD,
+                    Arith::Sub => Function::SUBTRACT,
+                    Arith::And => Function::AND,
+                    Arith::Xor => Function::XOR,
+                    Arith::Or => Function::OR,
+                    Arith::Mul => Function::MULTIPLY,
                     Arith::Div => return None,
                 };
-                with(Kind::CALCULATE, src, *width, select)
+                let draft = with(Kind::CALCULATE, src, *width)?;
+                Some(draft.with(|data| data.calculates(function)))
             }
             Op::Compare { op, src, width, if_rlo } => {
                 let relation = match op {
@@ -134,19 +162,20 @@ impl Draft {
                     Compare::Le => 0b011,
                     Compare::Ge => 0b110,
                 };
-                with(Kind::COMPARE, src, *width, relation | u8::from(*if_rlo) << 7)
+                let select = relation | u8::from(*if_rlo) << 7;
+                Some(with(Kind::COMPARE, src, *width)?.with(|data| data.select = select))
             }
             Op::Store { dst, width, cond } => {
                 let to = Operand::new(&Source::Mem(*dst), *width)?;
-                Some(Draft::new(Kind::CALCULATE, select::SUM).with(|data| data.goes(to, *cond)))
+                Some(Draft::new(Kind::CALCULATE).with(|data| data.goes(to, *cond)))
             }
             Op::Move { dst, src, width, cond } => {
-                let from = with(Kind::MOVE, &Source::Mem(*src), *width, 0)?;
+                let from = with(Kind::MOVE, &Source::Mem(*src), *width)?;
                 let to = Operand::new(&Source::Mem(*dst), *width)?;
                 Some(from.with(|data| data.goes(to, *cond)))
             }
-            Op::LogicPop(op) => Some(Draft::new(Kind::POP, *op as u8)),
-            _ => BitWrite::of(op).map(|write| Draft::new(Kind::WRITE, 0).with(|data| data.write = write)),
+            Op::LogicPop(op) => Some(Draft::new(Kind::POP).with(|data| data.select = *op as u8)),
+            _ => BitWrite::of(op).map(|write| Draft::new(Kind::WRITE).with(|data| data.write = write)),
         }
     }
 
@@ -154,7 +183,7 @@ impl Draft {
     fn joined(self, next: Draft) -> Option<Draft> {
         let operations = self.operations + next.operations;
         let (mine, its) = (&self.data, &next.data);
-        let (stores, calculates) = (mine.when != 0, mine.operand.calculates(mine.select));
+        let (stores, calculates) = (mine.stores(), mine.operand.calculates(mine.function));
         match (self.kind, next.kind) {
             // LOD, then what does not begin with one.
             (Kind::CALCULATE, Kind::CALCULATE | Kind::COMPARE) if !stores && !calculates && !next.loads => {
@@ -163,13 +192,10 @@ impl Draft {
             }
             // A calculation, then STO alone.
             (Kind::CALCULATE, Kind::CALCULATE)
-                if !stores && !next.loads && !its.operand.calculates(its.select) =>
+                if !stores && !next.loads && !its.operand.calculates(its.function) =>
             {
                 let joined = Draft { operations, ..self };
-                Some(
-                    joined
-                        .with(|data| (data.to, data.to_shift, data.when) = (its.to, its.to_shift, its.when)),
-                )
+                Some(joined.with(|data| (data.to, data.stored) = (its.to, its.stored)))
             }
             (Kind::COMPARE, Kind::WRITE) if !mine.write.is_one() => {
                 let joined = Draft { operations, ..self };
@@ -185,7 +211,7 @@ impl Draft {
         let spare = if self.data.load.cell != 0 { self.data.load.at } else { self.data.operand.at };
         let mut data = self.data;
         data.keep = if self.loads { 0 } else { -1 };
-        if data.when == 0 {
+        if !data.stores() {
             data.to = spare;
         }
         if self.kind == Kind::COMPARE && !data.write.is_one() {
@@ -225,7 +251,8 @@ fn read(memory: &Window, at: u16) -> u32 {
 /// Writes the bits of `mask`.
 #[inline]
 fn write(memory: &mut Window, at: u16, mask: u32, value: u32) {
-    let new = read(memory, at) & !mask | value & mask;
+    let old = read(memory, at);
+    let new = old ^ (old ^ value) & mask;
     let at = usize::from(at);
     memory[at..at + READ].copy_from_slice(&new.to_le_bytes());
 }
@@ -249,7 +276,19 @@ impl Data {
     }
 
     fn goes(&mut self, to: Operand, cond: Cond) {
-        (self.to, self.to_shift, self.when) = (to.at, to.shift, acts(cond));
+        self.to = to.at;
+        self.stored = [0, 1].map(|rlo| if acts(cond) >> rlo & 1 != 0 { mask(to.shift) } else { 0 });
+    }
+
+    fn stores(&self) -> bool {
+        self.stored != [0; 2]
+    }
+
+    fn calculates(&mut self, function: Function) {
+        self.function = function;
+        // Only those bits count, and a product is one of signed numbers.
+        self.operand.value = signed(self.operand.value as u32, self.operand.shift);
+        self.changes = i64::from(mask(self.operand.shift)) | i64::from(function.product);
     }
 
     /// RLO and DR afterwards.
@@ -273,7 +312,7 @@ impl Data {
                 self.write.execute(on.memory, rlo);
             } else if kind.is(Kind::MOVE) {
                 let value = read(on.memory, self.operand.at);
-                write(on.memory, self.to, self.chosen(rlo), value);
+                write(on.memory, self.to, self.stored[usize::from(rlo)], value);
             } else {
                 let value = on.regs.stack & 1;
                 on.regs.stack >>= 1;
@@ -285,30 +324,22 @@ impl Data {
         }
     }
 
-    /// The bits that are stored.
-    #[inline]
-    fn chosen(&self, rlo: bool) -> u32 {
-        mask(self.to_shift) & 0_u32.wrapping_sub(u32::from(self.when >> u8::from(rlo) & 1))
-    }
-
     /// DR afterwards.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "as `execute`")]
     fn calculate<W: Witness>(&self, on: &mut Machine<'_, W>, rlo: bool, dr: i64) -> i64 {
-        let (select, shift) = (self.select, self.operand.shift);
-        // All ones when it is selected.
-        let if_selected = |what: u8| -i64::from(select & what != 0);
+        let (function, shift) = (&self.function, self.operand.shift);
         let dr = dr & i64::from(self.keep) | self.load.get(on.memory);
         let x = self.operand.get(on.memory);
         on.witness.term(rlo, 0, dr, x, on.regs);
-        let negative = if_selected(select::NEGATIVE);
-        let sum = dr.wrapping_add((x ^ negative).wrapping_sub(negative)) & if_selected(select::SUM);
-        let bits = dr & x & if_selected(select::AND) ^ (dr ^ x) & if_selected(select::XOR);
-        let product = signed(dr as u32, shift).wrapping_mul(signed(x as u32, shift));
-        let whole = if_selected(select::PRODUCT);
-        let low = i64::from(mask(shift)) | whole;
-        let dr = dr & !low | (sum | bits | product & whole) & low;
-        write(on.memory, self.to, self.chosen(rlo), dr as u32);
+        let product = signed(dr as u32, shift).wrapping_mul(x);
+        let negates = i64::from(function.negates);
+        let x = (x ^ negates).wrapping_sub(negates);
+        let common = (dr & x).wrapping_mul(i64::from(function.common));
+        let sum = ((dr ^ x) & i64::from(function.different)).wrapping_add(common);
+        let result = sum | product & i64::from(function.product);
+        let dr = dr ^ (dr ^ result) & self.changes;
+        write(on.memory, self.to, self.stored[usize::from(rlo)], dr as u32);
         dr
     }
 

@@ -47,6 +47,8 @@ impl Kind {
     pub(crate) const POP: Kind = Kind(64);
     /// What LDR does first when an equation is open.
     const PUSH: Kind = Kind(128);
+    /// All that have [`Data`].
+    const DATA: Kind = Kind(4 | 8 | 16 | 32 | 64);
 
     #[inline]
     pub(crate) fn is(self, kind: Kind) -> bool {
@@ -59,6 +61,8 @@ impl Kind {
 pub(crate) struct Term {
     kind: Kind,
     pub(crate) operations: u8,
+    /// Of an equation: how many follow each other from here, this one too; their tables do so, too.
+    run: u8,
     /// Index of the table, or of the data; what is skipped, see [`Skip`].
     at: u32,
 }
@@ -80,7 +84,7 @@ impl Skip {
 
     fn term(self) -> Term {
         let at = u32::from_le_bytes([self.terms, self.operations, self.when, 0]);
-        Term { kind: Kind::SKIP, operations: 1, at }
+        Term { kind: Kind::SKIP, operations: 1, run: 0, at }
     }
 }
 
@@ -133,7 +137,7 @@ impl Fused {
         let (kind, data, operations) = Data::of(ops)?;
         let at = self.data.len() as u32;
         self.data.push(data);
-        Some(Term { kind, operations, at })
+        Some(Term { kind, operations, run: 0, at })
     }
 
     /// The equation, or as much of it as a table takes, that these begin with.
@@ -146,12 +150,12 @@ impl Fused {
         };
         if pushes {
             begins.push(pc);
-            self.terms.push(Term { kind: Kind::PUSH, operations: 0, at: 0 });
+            self.terms.push(Term { kind: Kind::PUSH, operations: 0, run: 0, at: 0 });
         }
         let write = ops.get(logic).and_then(BitWrite::of);
         table.write = write.unwrap_or(table.write);
         let operations = logic as u8 + u8::from(write.is_some());
-        let term = Term { kind: Kind::BITS, operations, at: self.tables.len() as u32 };
+        let term = Term { kind: Kind::BITS, operations, run: 1, at: self.tables.len() as u32 };
         self.tables.push(table);
         Some(term)
     }
@@ -181,6 +185,11 @@ impl Fused {
     /// The last terms, which begin at these operations, are a stretch.
     fn close(&mut self, begins: &[usize]) {
         let first = self.terms.len() - begins.len();
+        let mut run = 0_u8;
+        for term in self.terms[first..].iter_mut().rev() {
+            run = if term.kind == Kind::BITS { run.saturating_add(1) } else { 0 };
+            term.run = run;
+        }
         // The last first, so that an operation for which there are two terms gets the entry with both.
         for (n, pc) in begins.iter().enumerate().rev() {
             if let Some(entry) = stretch(&self.terms[first + n..], first + n, MAX_LEN) {
@@ -278,15 +287,26 @@ pub(crate) fn execute<W: Witness>(
 ) -> u32 {
     let (mut rlo, mut dr, mut skipped) = (regs.rlo, regs.dr, 0);
     let mut rest = terms.iter();
-    while let Some(term) = rest.next() {
+    while let Some(mut term) = rest.next() {
+        if term.kind.is(Kind::BITS) {
+            // Not beyond the end of the stretch, which a break-point may have brought nearer.
+            let others = (usize::from(term.run) - 1).min(rest.len());
+            for table in &code.tables[term.at as usize..][..=others] {
+                let bits = table.gather(memory);
+                witness.term(rlo, bits, dr, 0, regs);
+                rlo = table.evaluate(memory, bits, rlo);
+            }
+            let Some((next, behind)) = rest.as_slice()[others..].split_first() else { break };
+            (term, rest) = (next, behind.iter());
+        }
         let kind = term.kind;
-        if kind.is(Kind::BITS) {
-            let table = &code.tables[term.at as usize];
-            let bits = table.gather(memory);
-            witness.term(rlo, bits, dr, 0, regs);
-            rlo = table.evaluate(memory, bits, rlo);
-        } else if kind.is(Kind::SKIP) {
-            witness.term(rlo, 0, dr, 0, regs);
+        if kind.is(Kind::DATA) {
+            let on = Machine { memory, regs, witness: &mut witness };
+            (rlo, dr) = code.data[term.at as usize].execute(kind, on, rlo, dr);
+            continue;
+        }
+        witness.term(rlo, 0, dr, 0, regs);
+        if kind.is(Kind::SKIP) {
             let skip = Skip::of(*term);
             if skip.when >> u8::from(rlo) & 1 != 0 {
                 let terms = usize::from(skip.terms);
@@ -294,13 +314,9 @@ pub(crate) fn execute<W: Witness>(
                 witness.skip(terms);
                 skipped += u32::from(skip.operations);
             }
-        } else if kind.is(Kind::PUSH) {
-            witness.term(rlo, 0, dr, 0, regs);
+        } else {
             regs.stack = regs.stack << 1 | u8::from(rlo);
             regs.depth += 1;
-        } else {
-            let on = Machine { memory, regs, witness: &mut witness };
-            (rlo, dr) = code.data[term.at as usize].execute(kind, on, rlo, dr);
         }
     }
     regs.rlo = rlo;

@@ -36,7 +36,6 @@ mod plan;
 mod ports;
 mod prepared;
 mod registers;
-mod replay;
 mod runtime;
 mod sequence;
 mod state_hash;

@@ -1,38 +1,29 @@
-//! The supervisor: what happens in a millisecond, and the life of the PLC (manual 5.2, 5.3).
+//! The supervisor: what happens in a millisecond, in which order (manual 5.2, 5.3).
+
+mod block_cycle;
+mod called;
+mod life;
 
 use alloc::vec::Vec;
 use core::cell::RefCell;
 
-use technol_image::op::Op;
-use technol_image::program::{ModuleKind, RegionKind, SequenceKind};
-use technol_image::system;
+use technol_image::op::{Op, Pc};
+use technol_image::program::ModuleKind;
 
-use crate::block::{QUEUE_LEN, Rejection, Stage};
-use crate::code::{is_stoppable, module_of};
+pub(crate) use self::called::PlcEvent;
+use crate::code::is_stoppable;
 use crate::context::{Context, Root};
-use crate::control::{Control, ControlMessage, Hold, NoControl, Rate};
-use crate::debugger::{Line, StopReason, module_and_file};
-use crate::event::{Command, PlcState, RateKind, RuntimeEvent};
+use crate::control::{Control, ControlMessage, NoControl, Rate};
+use crate::debugger::Line;
+use crate::event::{PlcState, RateKind, RuntimeEvent};
 use crate::execute::{Exit, World, run, run_watched};
-use crate::fault::{Fault, FaultKind};
 use crate::plan::{Job, PlanKind};
 use crate::ports::{self, InputImage};
 use crate::runtime::{Position, Runtime, TickOutcome};
-use crate::sequence;
 use crate::trace::{Recorder, Untraced};
 
 /// Messages the control may report by itself in a cycle; the others wait for the next.
 const MESSAGES_PER_CYCLE: usize = 16;
-/// A call of an event procedure that waits for its cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PlcEvent {
-    /// `_ON_EVENT` with this code.
-    Event(i64),
-    /// `_ON_CMD` with code and key.
-    Command { code: i32, pressed: bool },
-}
-/// Procedures the control may call in a cycle; the others wait for the next.
-const CALLS_PER_CYCLE: usize = 256;
 
 /// How far a job came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,23 +72,6 @@ impl Runtime {
         TickOutcome::Done
     }
 
-    /// A start does not wait for a held tick to be finished.
-    fn drop_held_tick_for_a_start(&mut self) {
-        if self.debugger.stop.is_none() {
-            return;
-        }
-        let start = self.commands.iter().rposition(|c| matches!(c, Command::StartPlc { .. }));
-        if let Some(at) = start {
-            // One by one: what `drain` does with the rest looks like recursion to whoever measures the stack.
-            for _ in 0..at {
-                self.commands.pop_front();
-            }
-            self.debugger.stop = None;
-            self.debugger.focus = Line::Main;
-            self.position = None;
-        }
-    }
-
     /// Acts on commands until one of them needs a plan; else the millisecond of a running PLC.
     fn next_plan(&mut self, world: &mut World<'_>) -> Option<PlanKind> {
         while let Some(command) = self.commands.pop_front() {
@@ -106,61 +80,6 @@ impl Runtime {
             }
         }
         self.state.is_cycling().then_some(PlanKind::Fast)
-    }
-
-    fn act(&mut self, command: Command, world: &mut World<'_>) -> Option<PlanKind> {
-        match command {
-            Command::StartPlc { cold } => {
-                self.start(cold, world);
-                world.control.start(cold);
-                if cold {
-                    world.control.power_on(self.machine.memory.bytes_mut());
-                }
-                return Some(PlanKind::Init);
-            }
-            Command::StopPlc { power_off } => {
-                if self.state == PlcState::Stopping {
-                    self.enter_stopped(world.events);
-                } else if self.state.is_cycling() {
-                    self.abort_block(world);
-                    self.machine.done_seen = 0;
-                    self.entry_dr = i64::from(!power_off);
-                    self.set_state(PlcState::Stopping, world.events);
-                    return Some(PlanKind::Done);
-                }
-            }
-            Command::ClearPlc => return Some(PlanKind::Clear),
-            Command::Halt => return (self.state != PlcState::Halted).then_some(PlanKind::Halt),
-            Command::StartBlock(block) => {
-                let accepted = if self.state.is_cycling() {
-                    self.block.accept(block)
-                } else {
-                    Err(Rejection::NotRunning)
-                };
-                if let Err(rejection) = accepted {
-                    world.events.push(RuntimeEvent::BlockRejected(rejection));
-                } else if self.block.request_start(&mut self.machine.memory) {
-                    self.queue_event(system::event::START_REQ);
-                }
-            }
-            Command::ContinueBlock => {
-                if self.block.request_restart(world.control.is_held(), &mut self.machine.memory) {
-                    self.queue_event(system::event::START_REQ);
-                }
-            }
-            Command::StopBlock { emergency } => {
-                let request = if emergency { system::STOP_EMERGENCY_REQ } else { system::STOP_REQ };
-                self.machine.memory.set_flag(request, self.state.is_cycling());
-            }
-            Command::AbortBlock => {
-                self.machine.memory.set_flag(system::AUTPI, false);
-                self.machine.memory.set_flag(system::CAPI, true);
-                self.abort_block(world);
-            }
-            Command::Event(code) => self.queue_event(code),
-            Command::PlcCommand { code, pressed } => self.queue_call(PlcEvent::Command { code, pressed }),
-        }
-        None
     }
 
     /// A plan is complete. Returns the plan that follows in the same millisecond.
@@ -195,71 +114,10 @@ impl Runtime {
         self.settle(events);
     }
 
-    /// Starting and stopping end when all files have reported.
-    fn settle(&mut self, events: &mut Vec<RuntimeEvent>) {
-        let bits = |files: &[u8]| files.iter().fold(0_u64, |bits, file| bits | 1 << file);
-        let missing_init = bits(&self.program.init_finished) & !self.machine.init_seen;
-        let missing_done = bits(&self.program.done_finished) & !self.machine.done_seen;
-        match self.state {
-            PlcState::Starting if missing_init == 0 => self.set_state(PlcState::Running, events),
-            PlcState::Stopping if missing_done == 0 => self.enter_stopped(events),
-            _ => {}
-        }
-    }
-
     fn report_overrun(&mut self, rate: RateKind, limit: Option<u64>, events: &mut Vec<RuntimeEvent>) {
         let executed = core::mem::take(&mut self.spent);
         if let Some(limit) = limit.filter(|limit| executed > *limit) {
             events.push(RuntimeEvent::Overrun { cycle: self.cycle(), rate, executed, limit });
-        }
-    }
-
-    fn start(&mut self, cold: bool, world: &mut World<'_>) {
-        if cold {
-            self.initialise_memory();
-        }
-        if let Some(hidden) = self.program.region(RegionKind::Hidden) {
-            self.machine.memory.fill(hidden.start as usize, hidden.len as usize, 0);
-        }
-        self.abort_block(world);
-        self.machine.memory.set_flag(system::INPOS, true);
-        self.machine.millis = 0;
-        self.machine.init_seen = 0;
-        self.machine.done_seen = 0;
-        self.machine.state_since.fill(0);
-        if let Some(trace) = &mut self.trace {
-            trace.forget();
-        }
-        self.plc_events.clear();
-        [&mut self.main, &mut self.fast, &mut self.cont].into_iter().for_each(Context::reset);
-        self.outputs.fill(0);
-        self.spent = 0;
-        self.fault = None;
-        self.debugger.step = None;
-        self.debugger.focus = Line::Main;
-        self.entry_dr = i64::from(!cold);
-        self.set_state(PlcState::Starting, world.events);
-    }
-
-    /// Content of memory when a program is loaded and at a cold start.
-    pub(crate) fn initialise_memory(&mut self) {
-        let memory = self.machine.memory.bytes_mut();
-        memory.fill(0);
-        for data in &self.program.initial {
-            let start = data.addr as usize;
-            memory[start..start + data.bytes.len()].copy_from_slice(&data.bytes);
-        }
-    }
-
-    fn enter_stopped(&mut self, events: &mut Vec<RuntimeEvent>) {
-        self.outputs.fill(0);
-        self.set_state(PlcState::Stopped, events);
-    }
-
-    fn set_state(&mut self, state: PlcState, events: &mut Vec<RuntimeEvent>) {
-        if self.state != state {
-            self.state = state;
-            events.push(RuntimeEvent::StateChanged(state));
         }
     }
 
@@ -408,200 +266,14 @@ impl Runtime {
         }
     }
 
-    fn enter_faulted(&mut self, kind: FaultKind, line: Line, events: &mut Vec<RuntimeEvent>) {
-        let ctx = self.line(line);
-        let (module, file) = module_and_file(&self.program, ctx);
-        let sequence = self.code.sequence_of(ctx.outermost());
-        let fault = Fault { kind, pc: ctx.pc, sequence, module, file, cycle: self.cycle() };
-        self.fault = Some(fault);
-        self.outputs.fill(0);
-        self.position = None;
-        self.debugger.hold(StopReason::Fault, line);
-        events.push(RuntimeEvent::Fault(fault));
-        self.set_state(PlcState::Faulted, events);
-    }
-
-    /// Block cycle: as far as it comes in this cycle.
-    fn run_block(&mut self, world: &mut World<'_>) -> Progress {
-        if self.block.take_start(&mut self.machine.memory) {
-            world.control.hold(Hold::Go);
-            self.block.tell_position(&mut self.machine.memory, world.control);
-            self.queue_event(system::event::START);
-        }
-        self.block.take_axes(&mut self.machine.memory, world.control);
-        loop {
-            match self.block.stage {
-                Stage::Idle => {
-                    if !self.block.begin(&mut self.machine.memory, world.control) {
-                        return Progress::Done;
-                    }
-                    if self.block.lacks_feed(&self.machine.memory) {
-                        world.events.push(RuntimeEvent::BlockRejected(Rejection::NoFeed));
-                        self.abort_block(world);
-                        return Progress::Done;
-                    }
-                    world.events.push(RuntimeEvent::BlockStarted { cycle: self.cycle() });
-                    self.activate(SequenceKind::BlockInit);
-                }
-                Stage::Preparing => {
-                    if self.run_block_module(ModuleKind::BlockInit, world) == Progress::Stopped {
-                        return Progress::Stopped;
-                    }
-                    if self.is_active(SequenceKind::BlockInit) {
-                        return Progress::Done;
-                    }
-                    self.block.release(&mut self.machine.memory, world.control);
-                }
-                Stage::Moving { .. } => {
-                    if self.block.lost(world.control) {
-                        self.stop_block(Hold::Stop, world);
-                    }
-                    if !self.block.arrived(world.control) {
-                        return Progress::Done;
-                    }
-                    self.block.reach(&mut self.machine.memory);
-                }
-                Stage::Dwelling { .. } => {
-                    if !self.block.has_dwelt() {
-                        return Progress::Done;
-                    }
-                    self.block.close(&mut self.machine.memory);
-                    self.activate(SequenceKind::BlockDone);
-                }
-                Stage::Closing => {
-                    if self.run_block_module(ModuleKind::BlockDone, world) == Progress::Stopped {
-                        return Progress::Stopped;
-                    }
-                    if !self.is_active(SequenceKind::BlockDone) {
-                        if self.block.finish(&mut self.machine.memory) {
-                            self.queue_event(system::event::STOP);
-                        }
-                        world.events.push(RuntimeEvent::BlockFinished { cycle: self.cycle() });
-                    }
-                    return Progress::Done;
-                }
-            }
-        }
-    }
-
-    fn run_block_module(&mut self, kind: ModuleKind, world: &mut World<'_>) -> Progress {
-        match self.program.modules.iter().position(|m| m.kind == kind) {
-            Some(index) => self.run_module(index, world),
-            None => Progress::Done,
-        }
-    }
-
-    fn activate(&mut self, kind: SequenceKind) {
-        if let Some(number) = self.sequence_of_kind(kind) {
-            sequence::rest(&self.program, &mut self.machine, number);
-            let bit = sequence::activation(&self.program.sequences[usize::from(number)]);
-            // Without its module nothing would ever clear the bit.
-            let has_module =
-                module_of(&self.program, self.program.sequences[usize::from(number)].start).is_some();
-            self.machine.memory.set_flag(bit, has_module);
-        }
-    }
-
-    fn is_active(&self, kind: SequenceKind) -> bool {
-        self.sequence_of_kind(kind).is_some_and(|number| {
-            let bit = sequence::activation(&self.program.sequences[usize::from(number)]);
-            self.machine.memory.flag(bit)
-        })
-    }
-
-    /// Breaks the block in progress, rewinds the block modules and forgets queued blocks.
-    fn abort_block(&mut self, world: &mut World<'_>) {
-        world.control.end_block(self.machine.memory.bytes_mut());
-        if !self.block.abort(&mut self.machine.memory) {
-            return;
-        }
-        for kind in [SequenceKind::BlockInit, SequenceKind::BlockDone] {
-            if let Some(number) = self.sequence_of_kind(kind) {
-                sequence::rest(&self.program, &mut self.machine, number);
-            }
-        }
-        world.events.push(RuntimeEvent::BlockAborted { cycle: self.cycle() });
-    }
-
-    fn take_stop_request(&mut self, world: &mut World<'_>) {
-        if let Some(code) = self.block.take_stop_request(&mut self.machine.memory) {
-            self.queue_event(code);
-            let emergency = code == system::event::STOP_EMERGENCY_REQ;
-            self.stop_block(if emergency { Hold::Emergency } else { Hold::Stop }, world);
-        }
-    }
-
-    fn stop_block(&mut self, hold: Hold, world: &mut World<'_>) {
-        world.control.hold(hold);
-        if self.block.stop(&mut self.machine.memory) {
-            self.queue_event(system::event::STOP);
-        }
-        self.block.tell_position(&mut self.machine.memory, world.control);
-    }
-
-    fn queue_event(&mut self, code: i64) {
-        self.queue_call(PlcEvent::Event(code));
-    }
-
-    /// Events nobody handles are dropped, and so is one beyond the bound.
-    fn queue_call(&mut self, event: PlcEvent) {
-        if self.handler(event).is_some() && self.plc_events.len() < QUEUE_LEN {
-            self.plc_events.push_back(event);
-        }
-    }
-
-    fn handler(&self, event: PlcEvent) -> Option<u16> {
-        match event {
-            PlcEvent::Event(_) => self.code.on_event,
-            PlcEvent::Command { .. } => self.code.on_cmd,
-        }
-    }
-
-    /// Procedures that the control calls.
-    fn run_calls(&mut self, world: &mut World<'_>) -> Progress {
-        for _ in 0..CALLS_PER_CYCLE {
-            if !self.position.is_some_and(|p| p.entered) {
-                let memory = self.machine.memory.bytes_mut();
-                let Some(call) = world.control.next_call(memory) else { return Progress::Done };
-                let procedure = self.program.procedures.get(usize::from(call.procedure));
-                let Some(start) = procedure.map(|procedure| procedure.start) else { continue };
-                self.enter(Line::Main, Root::Procedure, start, Some(call.dr));
-            }
-            if self.execute(Line::Main, true, world) == Progress::Stopped {
-                return Progress::Stopped;
-            }
-        }
-        Progress::Done
-    }
-
-    fn run_events(&mut self, world: &mut World<'_>) -> Progress {
-        loop {
-            if !self.position.is_some_and(|p| p.entered) {
-                let Some(event) = self.plc_events.pop_front() else { return Progress::Done };
-                let Some(procedure) = self.handler(event) else { continue };
-                let start = self.program.procedures[usize::from(procedure)].start;
-                let dr = match event {
-                    PlcEvent::Event(code) => code,
-                    PlcEvent::Command { code, .. } => i64::from(code),
-                };
-                self.enter(Line::Main, Root::Procedure, start, Some(dr));
-                if let PlcEvent::Command { pressed, .. } = event {
-                    self.main.regs.rlo = pressed;
-                }
-            }
-            if self.execute(Line::Main, true, world) == Progress::Stopped {
-                return Progress::Stopped;
-            }
-        }
-    }
-
     /// Tells what the control reports by itself.
     fn take_messages(&self, world: &mut World<'_>) {
         for _ in 0..MESSAGES_PER_CYCLE {
             let Some(message) = world.control.next_message() else { return };
             let ControlMessage { call, number, sub_id, set, parameters } = message;
             let at = self.program.code.iter().position(|op| *op == Op::Service(call));
-            let pc = at.map_or(0, |pc| pc as u32);
+            // What no line reports has no place.
+            let pc = at.map_or(Pc::MAX, |pc| pc as u32);
             let cycle = self.cycle();
             world.events.push(RuntimeEvent::Message { cycle, number, sub_id, set, parameters, pc });
         }

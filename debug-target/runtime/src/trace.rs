@@ -4,6 +4,10 @@
 //! each of its operations did, so that is what is noted, once for each term; the values of a line are computed from it
 //! when somebody asks for them. Operations that are executed one by one are noted with their registers.
 
+mod places;
+mod recorder;
+mod replay;
+
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -11,11 +15,11 @@ use core::ops::Range;
 use technol_image::Program;
 use technol_image::op::{Op, Pc, Width};
 
-use crate::code::{Code, Fast};
-use crate::fused::{self, Term, Unseen, Witness};
-use crate::memory::Window;
+use self::places::{TermPlace, traced_terms};
+pub(crate) use self::recorder::{Recorder, Untraced};
+use self::replay::registers_after;
+use crate::code::Code;
 use crate::registers::Registers;
-use crate::replay::registers_after;
 use crate::runtime::Runtime;
 
 /// A traced line.
@@ -49,42 +53,6 @@ pub struct TraceValues {
     pub depth: u8,
 }
 
-/// Who notes what is executed.
-pub(crate) trait Recorder {
-    /// An operation was executed by itself and left these registers.
-    fn operation(&mut self, pc: Pc, regs: &Registers);
-    /// Executes the terms of a stretch, of which the first has this number. Gives the number of operations that it
-    /// skipped.
-    fn stretch(
-        &mut self,
-        first: usize,
-        terms: &[Term],
-        code: &Code,
-        memory: &mut Window,
-        regs: &mut Registers,
-    ) -> u32;
-}
-
-/// Nobody does.
-pub(crate) struct Untraced;
-
-impl Recorder for Untraced {
-    #[inline]
-    fn operation(&mut self, _: Pc, _: &Registers) {}
-
-    #[inline]
-    fn stretch(
-        &mut self,
-        _: usize,
-        terms: &[Term],
-        code: &Code,
-        memory: &mut Window,
-        regs: &mut Registers,
-    ) -> u32 {
-        fused::execute(terms, code, memory, regs, Unseen)
-    }
-}
-
 /// Stands for "not traced" where a place in a list is stored.
 const NONE: u32 = u32::MAX;
 
@@ -105,26 +73,17 @@ struct SeenOperation {
 
 /// What a term began with, and what it read.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct SeenTerm {
+struct SeenTerm {
     stamp: Stamp,
     /// DR, behind the LOD if the term has one.
-    pub(crate) dr: i64,
+    dr: i64,
     /// The operand of its calculation or comparison.
-    pub(crate) operand: i64,
+    operand: i64,
     /// The bits of its equation.
-    pub(crate) bits: u8,
-    pub(crate) rlo: bool,
-    pub(crate) stack: u8,
-    pub(crate) depth: u8,
-}
-
-/// The operations that a term stands for.
-#[derive(Clone, Copy, Debug)]
-struct TermPlace {
-    pc: Pc,
-    operations: u8,
-    /// The push of its first operation was done before it.
-    opens: bool,
+    bits: u8,
+    rlo: bool,
+    stack: u8,
+    depth: u8,
 }
 
 /// What is traced, and what was seen of it.
@@ -216,103 +175,12 @@ impl Trace {
     }
 }
 
-impl Recorder for Trace {
-    #[inline]
-    fn operation(&mut self, pc: Pc, regs: &Registers) {
-        let real = regs.dr_real.to_bits();
-        let before = core::mem::replace(&mut self.real, real);
-        if let Some(seen) = self.operations.get_mut(self.operation_at[pc as usize] as usize) {
-            self.last += 1;
-            *seen = SeenOperation {
-                stamp: self.last,
-                dr: regs.dr,
-                dr_real: regs.dr_real,
-                real_changed: real != before,
-                rlo: regs.rlo,
-                stack: regs.stack,
-                depth: regs.depth,
-            };
-        }
-    }
-
-    #[inline]
-    fn stretch(
-        &mut self,
-        first: usize,
-        terms: &[Term],
-        code: &Code,
-        memory: &mut Window,
-        regs: &mut Registers,
-    ) -> u32 {
-        match self.terms.get_mut(self.term_at[first] as usize..) {
-            Some(seen) => {
-                self.last += 1;
-                fused::execute(terms, code, memory, regs, Notes { seen: seen.iter_mut(), stamp: self.last })
-            }
-            None => fused::execute(terms, code, memory, regs, Unseen),
-        }
-    }
-}
-
-/// Notes one term after the other.
-struct Notes<'a> {
-    seen: core::slice::IterMut<'a, SeenTerm>,
-    stamp: Stamp,
-}
-
-impl Witness for Notes<'_> {
-    #[inline]
-    fn term(&mut self, rlo: bool, bits: u8, dr: i64, operand: i64, regs: &Registers) {
-        if let Some(seen) = self.seen.next() {
-            let (stack, depth) = (regs.stack, regs.depth);
-            *seen = SeenTerm { stamp: self.stamp, dr, operand, bits, rlo, stack, depth };
-        }
-    }
-
-    #[inline]
-    fn skip(&mut self, terms: usize) {
-        if terms > 0 {
-            self.seen.nth(terms - 1);
-        }
-    }
-}
-
 /// The operations of the line that begins there.
 fn line_at(program: &Program, code: &Code, pc: Pc) -> Range<Pc> {
     // The end of a module belongs to no line, unless it is one.
     let belongs = |at: &Pc| !code.statement[*at as usize] && program.code[*at as usize] != Op::ModuleEnd;
     let more = (pc + 1..program.code.len() as Pc).take_while(belongs).count();
     pc..pc + 1 + more as Pc
-}
-
-/// Terms of all stretches with a traced operation, and for those that begin one their places among them.
-fn traced_terms(code: &Code, operation_at: &[u32]) -> (Vec<u32>, Vec<TermPlace>) {
-    let traced = |pcs: Range<usize>| operation_at.get(pcs).is_some_and(|at| at.iter().any(|at| *at != NONE));
-    let mut found: Vec<Option<TermPlace>> = vec![None; code.terms.len()];
-    let mut heads = Vec::new();
-    for (pc, fast) in code.without_break_points().into_iter().enumerate() {
-        let Fast::Stretch { first, terms, ops, .. } = fast else { continue };
-        if !traced(pc..pc + usize::from(ops)) {
-            continue;
-        }
-        heads.push(first);
-        let (mut pc, mut opens) = (pc as Pc, false);
-        let terms = code.terms.iter().zip(&mut found).skip(first as usize).take(usize::from(terms));
-        for (Term { operations, .. }, place) in terms {
-            *place = Some(TermPlace { pc, operations: *operations, opens });
-            pc += Pc::from(*operations);
-            opens = *operations == 0;
-        }
-    }
-    let mut term_at = vec![NONE; code.terms.len()];
-    let (mut places, mut heads) = (Vec::new(), heads.into_iter().peekable());
-    for (at, place) in found.into_iter().enumerate() {
-        if heads.next_if_eq(&(at as u32)).is_some() {
-            term_at[at] = places.len() as u32;
-        }
-        places.extend(place);
-    }
-    (term_at, places)
 }
 
 fn works_with_reals(op: &Op) -> bool {

@@ -1,5 +1,5 @@
-//! Transfers that take a cycle: what an instruction asked for is done when its line is executed in the cycle after. A
-//! line that was not executed in the cycle before begins anew.
+//! Transfers that take several cycles: what an instruction asked for is done when its line is executed in a later
+//! cycle. A line that was not executed in the cycle before begins anew.
 
 use alloc::vec::Vec;
 
@@ -52,27 +52,49 @@ impl<T> Transfers<T> {
         })
     }
 
+    /// The requests under way.
+    pub(super) fn under_way_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.0.iter_mut().filter(|it| it.under_way).map(|it| &mut it.request)
+    }
+
     /// The request, once, when its cycle has passed.
     pub(super) fn end(&mut self, call: &Call<'_>) -> Option<&T> {
-        let at = self.0.binary_search_by_key(&call.index(), |it| it.call).ok()?;
-        let transfer = self.0.get_mut(at).filter(|it| it.under_way)?;
-        let now = call.millis();
-        transfer.seen = now;
-        if now.saturating_sub(transfer.begun) < CYCLE {
+        let transfer = self.executed(call)?;
+        if call.millis().saturating_sub(transfer.begun) < CYCLE {
             return None;
         }
         transfer.under_way = false;
         Some(&transfer.request)
     }
+
+    /// Ends the transfer under way when `finish` says that it is done.
+    pub(super) fn end_when(
+        &mut self,
+        call: &mut Call<'_>,
+        finish: impl FnOnce(&T, &mut Call<'_>) -> Result<bool, FaultKind>,
+    ) -> Result<(), FaultKind> {
+        if let Some(transfer) = self.executed(call) {
+            transfer.under_way = !finish(&transfer.request, call)?;
+        }
+        Ok(())
+    }
+
+    /// The transfer under way, whose line is executed once more.
+    fn executed(&mut self, call: &Call<'_>) -> Option<&mut Transfer<T>> {
+        let at = self.0.binary_search_by_key(&call.index(), |it| it.call).ok()?;
+        let transfer = self.0.get_mut(at).filter(|it| it.under_way)?;
+        transfer.seen = call.millis();
+        Some(transfer)
+    }
 }
 
 impl<T: Default> Transfers<T> {
-    /// Begins the transfer of this call anew; `fill` takes the operands into what the last one left.
+    /// Begins the transfer of this call anew; `fill` takes the operands into what the last one left. Gives the request.
     pub(super) fn begin(
         &mut self,
         call: &Call<'_>,
         fill: impl FnOnce(&mut T) -> Result<(), FaultKind>,
-    ) -> Result<(), FaultKind> {
+    ) -> Result<&T, FaultKind> {
         let index = call.index();
         let at = match self.0.binary_search_by_key(&index, |it| it.call) {
             Ok(at) => at,
@@ -84,9 +106,10 @@ impl<T: Default> Transfers<T> {
             }
         };
         let transfer = &mut self.0[at];
+        transfer.under_way = false;
         fill(&mut transfer.request)?;
         let now = call.millis();
         (transfer.under_way, transfer.begun, transfer.seen) = (true, now, now);
-        Ok(())
+        Ok(&transfer.request)
     }
 }

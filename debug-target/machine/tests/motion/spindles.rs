@@ -284,7 +284,7 @@ fn the_first_axis_that_becomes_a_spindle_is_the_main_one() {
 
 #[test]
 fn an_independent_shift_waits_while_its_axis_is_a_spindle_and_is_not_requested() {
-    let mut bench = Bench::new("[[axis]]\nnumber=2");
+    let mut bench = Bench::new("[[axis]]\nnumber=2\nref-switch=\"none\"");
     bench.cells().set_word(place::WHEEL_STEP, 100);
     bench.cells().set_byte(place::OFFSET_ALLOWED, 0x3F);
     bench.set(place::OFFSET_MODE, true);
@@ -302,7 +302,7 @@ fn an_independent_shift_waits_while_its_axis_is_a_spindle_and_is_not_requested()
     bench.motion.spi_ax(&mut Cells::new(&mut bench.memory), back).unwrap();
     bench.tick();
     assert!(bench.is(place::REQUESTED.of(1)), "an axis again, it goes back");
-    bench.run(1000);
+    bench.run(3000);
     assert_eq!(bench.cells().dword(place::OFFSET + 4), 0);
     assert!(!bench.is(place::REQUESTED.of(1)));
 }

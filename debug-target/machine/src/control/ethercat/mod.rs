@@ -1,22 +1,22 @@
 //! The EtherCAT master and its slaves (manual 26). Its instructions take several cycles; each place in the program has at
-//! most one transfer.
+//! most one request.
 
 use alloc::vec::Vec;
 
 use technol_runtime::{Call, FaultKind};
 
+use super::transfer::Transfers;
+
 pub(crate) mod layout;
+mod order;
 mod process;
 mod requests;
 mod slave;
-mod transfer;
 
 pub use slave::{EcatSlave, EcatState};
 
-use transfer::{Answer, NO_ANSWER, NO_MAILBOX, NO_SLAVE, Order, STATE_LEN, Transfer};
+use order::{Answer, NO_ANSWER, NO_MAILBOX, NO_SLAVE, Order, Request, STATE_LEN};
 
-/// A cycle of the program in milliseconds: a line not executed in the one before begins anew.
-const CYCLE: u64 = 20;
 /// Cycles until a slave that does not answer is given up.
 const TIMEOUT: u32 = 50;
 /// Slaves of a master.
@@ -29,8 +29,7 @@ pub struct EtherCat {
     goal: EcatState,
     slaves: Vec<EcatSlave>,
     answer_cycles: u32,
-    /// By the number of their call, ascending. A place stays when its transfer ends, so that the next needs no memory.
-    transfers: Vec<(u16, Transfer)>,
+    transfers: Transfers<Request>,
     /// The program starts the exchange; it has done so.
     start_by_program: bool,
     started: bool,
@@ -46,7 +45,7 @@ impl Default for EtherCat {
             goal: EcatState::Operational,
             slaves: Vec::new(),
             answer_cycles: 2,
-            transfers: Vec::new(),
+            transfers: Transfers::default(),
             start_by_program: false,
             started: false,
             asked: [false; 5],
@@ -80,14 +79,12 @@ impl EtherCat {
 
     /// Makes room for an instruction of the program and its longest data.
     pub(super) fn prepare(&mut self, call: u16, len: usize) {
-        if let Err(at) = self.transfers.binary_search_by_key(&call, |(call, _)| *call) {
-            self.transfers.insert(at, (call, Transfer::with_room(len)));
-        }
+        self.transfers.prepare(call, Request::with_room(len));
     }
 
     /// A start of the PLC: its transfers are forgotten.
     pub(super) fn start(&mut self, cold: bool) {
-        self.transfers.iter_mut().for_each(|(_, transfer)| transfer.under_way = false);
+        self.transfers.forget();
         self.asked = [false; 5];
         if cold {
             self.power_on();
@@ -124,17 +121,16 @@ impl EtherCat {
             slave.state = slave.state.toward(slave.goal);
         }
         let mut transfers = core::mem::take(&mut self.transfers);
-        let open = |transfer: &&mut Transfer| transfer.under_way && transfer.result.is_none();
-        for transfer in transfers.iter_mut().map(|(_, transfer)| transfer).filter(open) {
-            transfer.waited += 1;
-            transfer.result = self.carry_out(transfer);
+        for request in transfers.under_way_mut().filter(|request| request.result.is_none()) {
+            request.waited += 1;
+            request.result = self.carry_out(request);
         }
         self.transfers = transfers;
     }
 
     /// The result, when it is time for one.
-    fn carry_out(&mut self, transfer: &mut Transfer) -> Option<Result<Answer, u32>> {
-        let order = match transfer.order {
+    fn carry_out(&mut self, request: &mut Request) -> Option<Result<Answer, u32>> {
+        let order = match request.order {
             Ok(order) => order,
             Err(error) => return Some(Err(error)),
         };
@@ -143,11 +139,11 @@ impl EtherCat {
         }
         let ready = match order {
             Order::Lead { slave, goal } => self.are_in(slave, goal),
-            _ => transfer.waited >= self.answer_cycles && order.slave().is_none_or(|n| self.answers(n)),
+            _ => request.waited >= self.answer_cycles && order.slave().is_none_or(|n| self.answers(n)),
         };
         match ready {
-            true => Some(self.answer(order, transfer)),
-            false if transfer.waited >= TIMEOUT => Some(Err(NO_ANSWER)),
+            true => Some(self.answer(order, request)),
+            false if request.waited >= TIMEOUT => Some(Err(NO_ANSWER)),
             false => None,
         }
     }
@@ -163,14 +159,14 @@ impl EtherCat {
         }
     }
 
-    fn answer(&mut self, order: Order, transfer: &mut Transfer) -> Result<Answer, u32> {
+    fn answer(&mut self, order: Order, request: &mut Request) -> Result<Answer, u32> {
         let slave = match order {
             Order::Lead { .. } => return Ok(Answer::Done),
             Order::State { slave } => {
                 let slave = slave.and_then(|slave| self.slaves.get(usize::from(slave)));
                 let state = slave.map_or(self.state, |slave| slave.state);
-                let len = transfer.wanted().min(STATE_LEN) as usize;
-                return Ok(transfer.put(&(state as u32).to_le_bytes()[..len]));
+                let len = request.wanted().min(STATE_LEN) as usize;
+                return Ok(request.put(&(state as u32).to_le_bytes()[..len]));
             }
             _ => order.slave().and_then(|slave| self.slaves.get_mut(usize::from(slave))),
         };
@@ -178,17 +174,17 @@ impl EtherCat {
         if !slave.state.has_mailbox() {
             return Err(NO_MAILBOX);
         }
-        let data = &transfer.data;
+        let data = &request.data;
         match order {
             Order::ReadObject { index, subindex, .. } => {
                 slave.refresh(index, subindex);
-                slave.objects.upload(index, subindex).map(|bytes| transfer.put(bytes))
+                slave.objects.upload(index, subindex).map(|bytes| request.put(bytes))
             }
             Order::WriteObject { index, subindex, .. } => {
                 slave.objects.download(index, subindex, data).map(|()| Answer::Written(data.len()))
             }
             Order::ReadRegister { drive, idn, element, .. } => {
-                slave.read_register(drive, idn, element).map(|bytes| transfer.put(bytes))
+                slave.read_register(drive, idn, element).map(|bytes| request.put(bytes))
             }
             Order::WriteRegister { drive, idn, element, .. } => {
                 slave.write_register(drive, idn, element, data).map(|()| Answer::Written(data.len()))
@@ -210,18 +206,12 @@ impl EtherCat {
     }
 
     pub(super) fn execute(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
-        let (place, now) = (call.index(), call.millis());
-        self.prepare(place, 0);
-        let Ok(at) = self.transfers.binary_search_by_key(&place, |(call, _)| *call) else { return Ok(()) };
-        let transfer = &mut self.transfers[at].1;
-        if transfer.under_way && now.saturating_sub(transfer.seen) <= CYCLE {
-            transfer.seen = now;
-            transfer.under_way = !transfer.finish(call)?;
-            return Ok(());
+        if self.transfers.is_under_way(call) {
+            return self.transfers.end_when(call, Request::finish);
         }
-        transfer.begin(call)?;
-        transfer.finish(call)?;
-        if let Ok(Order::Lead { slave, goal }) = transfer.order {
+        let request = self.transfers.begin(call, |request| request.take(call))?;
+        request.finish(call)?;
+        if let Ok(Order::Lead { slave, goal }) = request.order {
             self.lead(slave, goal);
         }
         Ok(())

@@ -77,7 +77,7 @@ impl Order {
 /// What came back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// Data for the program, in [`Transfer::data`].
+    /// Data for the program, in [`Request::data`].
     Data,
     /// More data than the program has room for.
     TooLong,
@@ -89,17 +89,13 @@ pub(super) enum Answer {
 
 /// An instruction that is being carried out.
 #[derive(Clone, Debug)]
-pub(super) struct Transfer {
+pub(super) struct Request {
     pub(super) order: Result<Order, u32>,
     /// Cycles since it began.
     pub(super) waited: u32,
-    /// Millisecond in which the program asked last.
-    pub(super) seen: u64,
     pub(super) result: Option<Result<Answer, u32>>,
     /// What is written, or what was read.
     pub(super) data: Vec<u8>,
-    /// It was begun and its result is not taken yet.
-    pub(super) under_way: bool,
     /// Where data go, and how many were asked for.
     target: Option<Addr>,
     wanted: u32,
@@ -107,16 +103,20 @@ pub(super) struct Transfer {
     flags: Option<(Addr, u8)>,
 }
 
-impl Transfer {
+impl Default for Request {
+    fn default() -> Request {
+        Request::with_room(0)
+    }
+}
+
+impl Request {
     /// A place for data of so many bytes.
-    pub(super) fn with_room(len: usize) -> Transfer {
-        Transfer {
+    pub(super) fn with_room(len: usize) -> Request {
+        Request {
             order: Err(BAD_COMMAND),
             waited: 0,
-            seen: 0,
             result: None,
             data: Vec::with_capacity(len),
-            under_way: false,
             target: None,
             wanted: 0,
             length: None,
@@ -124,13 +124,12 @@ impl Transfer {
         }
     }
 
-    /// Begins with the operands as they are now.
-    pub(super) fn begin(&mut self, call: &Call<'_>) -> Result<(), FaultKind> {
+    /// Takes the operands as they are now.
+    pub(super) fn take(&mut self, call: &Call<'_>) -> Result<(), FaultKind> {
         let mut data = core::mem::take(&mut self.data);
         data.clear();
-        *self = Transfer { data, seen: call.millis(), ..Transfer::with_room(0) };
+        *self = Request { data, ..Request::default() };
         self.order = self.read(call)?;
-        self.under_way = true;
         Ok(())
     }
 

@@ -2,14 +2,14 @@
 
 use technol_image::op::{BitRef, Op, Source};
 
+use super::SeenTerm;
 use crate::arithmetic;
 use crate::equation::{INPUTS, combine};
 use crate::registers::Registers;
-use crate::trace::SeenTerm;
 
 /// Registers behind the last of these operations, with which a term begins. `opened`: the push of the first one was
 /// done before it. DR_REAL is not among them: no term uses it.
-pub(crate) fn registers_after(ops: &[Op], seen: &SeenTerm, opened: bool) -> Registers {
+pub(super) fn registers_after(ops: &[Op], seen: &SeenTerm, opened: bool) -> Registers {
     let SeenTerm { rlo, stack, depth, dr, .. } = *seen;
     let mut regs = Registers { rlo, dr, stack, depth, ..Registers::default() };
     let mut inputs = Inputs { known: [None; INPUTS], bits: seen.bits };
