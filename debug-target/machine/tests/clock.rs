@@ -41,7 +41,10 @@ fn it_goes_on_from_where_the_description_says() {
 fn without_a_description_it_begins_with_2000_and_a_host_may_set_it() {
     let mut control = SimulatedControl::new();
     let cells = after(&mut control, 0);
-    assert_eq!((&cells[..8], &cells[8..16]), (&shown([0; 4], 2000, 1, 1)[..], &shown([0; 4], 2000, 1, 1)[..]));
+    assert_eq!(
+        (&cells[..8], &cells[8..16]),
+        (&shown([0; 4], 2000, 1, 1)[..], &shown([0; 4], 2000, 1, 1)[..])
+    );
     control.set_time(1_709_247_600_250);
     assert_eq!(after(&mut control, 0)[..8], shown([0, 23, 25, 0], 2024, 29, 2));
     for far in [i64::MIN, i64::MAX] {

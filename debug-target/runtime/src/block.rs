@@ -9,9 +9,9 @@ use core::fmt;
 use technol_image::op::BitRef;
 use technol_image::system;
 
+use crate::continuous;
 use crate::control::{AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Control};
 use crate::m_functions::{self, Groups};
-use crate::continuous;
 use crate::memory::Memory;
 use crate::prepared::{self, BLOCK_AXES, BlockFlag, BlockReal, Prepared};
 
@@ -72,7 +72,7 @@ impl Block {
     }
 
     /// Milliseconds of its dwell, which is programmed in seconds (manual 27.4).
-    fn dwell_ms(&self) -> u32 {
+    pub(crate) fn dwell_ms(&self) -> u32 {
         let seconds = self.prepared.as_ref().and_then(|prepared| prepared.value(BlockReal::Delay));
         // More than fits, or no number, is the nearest that does.
         (seconds.unwrap_or(0.0) * 1000.0 + 0.5) as u32
@@ -501,7 +501,8 @@ impl BlockCycle {
             (Stage::Moving { .. }, _) => control.block_time_left(),
             _ => 0,
         };
-        own.saturating_add(continuous::time_of(self.queue.iter(), memory))
+        let behind = if self.dwell_ms == 0 { continuous::time_of(self.queue.iter(), memory) } else { 0 };
+        own.saturating_add(behind)
     }
 
     /// The block is broken off, if there is one, and the program with it. True when there was one.

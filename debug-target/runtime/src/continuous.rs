@@ -1,6 +1,6 @@
 //! The continuous run (G23): blocks that follow each other without a halt, and how long they take (manual 8.4.4).
 //!
-//! It goes on from block to block as long as each is programmed so, moves at a feed and has no functions. Angles between
+//! It goes on from block to block as long as each is programmed so, moves at a feed and has neither functions nor a dwell. Angles between
 //! blocks are not looked at: what is too great is a matter of the path, of which a PLC knows nothing.
 
 use crate::block::Block;
@@ -15,10 +15,10 @@ pub(crate) fn may_run_on(block: &Block) -> bool {
     block.has(BlockFlag::Continuous) && !block.rapid && (block.has_targets() || block.motion_ms > 0)
 }
 
-/// A continuous run goes on with a block: its functions would end it.
+/// A continuous run goes on with a block: functions and a dwell would end it.
 pub(crate) fn goes_on(block: &Block) -> bool {
     let functions = !block.m.is_empty() || block.t.is_some() || block.s.is_some() || block.h.is_some();
-    may_run_on(block) && !functions
+    may_run_on(block) && !functions && block.dwell_ms() == 0
 }
 
 /// Milliseconds that the blocks of the run take, of those that wait. Ramps are not counted, and those that came after the
@@ -37,7 +37,8 @@ fn time(block: &Block, number: u32, memory: &Memory) -> u32 {
     if feed <= 0.0 || block.has(BlockFlag::RevFeed) {
         return 0;
     }
-    let way = |axis| prepared::target_of(memory, number, axis) - prepared::target_of(memory, number - 1, axis);
+    let way =
+        |axis| prepared::target_of(memory, number, axis) - prepared::target_of(memory, number - 1, axis);
     let squares = (0..BLOCK_AXES as u32).map(|axis| way(axis) * way(axis)).sum();
     (root(squares) / feed * MINUTE) as u32
 }

@@ -421,8 +421,10 @@ fn the_control_reports_errors_of_its_buses_by_itself() {
     let machine = "can-drive = [{ axis = 2 }, { axis = 3 }]\n\
                    fault = [{ name = 'cut', can = 2, cut = true }, { name = 'lost', can-drive = 2, lost = true }, \
                    { name = 'hot', can-drive = 3, error = 0x4310 }]";
-    let mut plc =
-        Plc::before(machine, "LDR I0 / JL0 L / FL 0,I0 / CAN_AX_SEND 2 / L: / LDR I1 / JL0 M / FL 0,I1 / CAN_AX_SEND 3 / M:");
+    let mut plc = Plc::before(
+        machine,
+        "LDR I0 / JL0 L / FL 0,I0 / CAN_AX_SEND 2 / L: / LDR I1 / JL0 M / FL 0,I1 / CAN_AX_SEND 3 / M:",
+    );
     plc.run(1);
     let mut told = Vec::new();
     for (fault, given) in [("cut", ""), ("lost", "I0=1"), ("hot", ""), ("", "I1=1")] {
@@ -445,4 +447,7 @@ fn the_control_reports_errors_of_its_buses_by_itself() {
     assert_eq!(told, expected);
     let on_screen = plc.control().board().transient().next().map(|message| message.number);
     assert_eq!(on_screen, Some(4204), "the first is to be confirmed");
+    let shown = plc.control().board().transient().nth(2).cloned().expect("three messages");
+    let text = shown.text(plc.control().data());
+    assert_eq!(String::from_utf8_lossy(&text), "CAN drive 3 reports an error, register 1, code 4310");
 }

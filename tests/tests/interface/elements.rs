@@ -40,7 +40,8 @@ fn an_element_of_the_control_has_the_value_of_its_symbol() {
             let id = element.identifier.replace("[#]", &format!("[{nth}]"));
             let Some(kind) = symbol_of(element, nth) else { continue };
             let family = element.len.unwrap_or(1) > 1;
-            let of_axis = (family && element.element == ElementType::Bit && !element.symbol.contains('x')).then_some(nth);
+            let of_axis = (family && element.element == ElementType::Bit && !element.symbol.contains('x'))
+                .then_some(nth);
             let shown = shown(&id, |memory| {
                 let area = matches!(kind, SystemKind::Area { .. });
                 if area {
@@ -84,7 +85,8 @@ fn numbers_come_in_the_unit_of_the_element() {
             .to_owned(),
         ..Scene::new("elements", 30)
     };
-    let of = |id: &str| scene.played().control().output(id).and_then(ElementValue::as_real).unwrap_or(f64::NAN);
+    let of =
+        |id: &str| scene.played().control().output(id).and_then(ElementValue::as_real).unwrap_or(f64::NAN);
     assert!((of("RTM.Axis[1].Pos0_Ax") - 12.5).abs() < 1e-6, "{}", of("RTM.Axis[1].Pos0_Ax"));
     assert!((of("RTM.Servo[1].ServoPosition") - of("RTM.Axis[1].Pos0_Ax")).abs() < 10.0);
     assert!((of("RTM.Spindle.ReqSpeedPm") - 500.0).abs() < 0.1, "{}", of("RTM.Spindle.ReqSpeedPm"));

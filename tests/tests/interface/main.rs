@@ -106,8 +106,8 @@ fn what_is_exempt_from_reading_is_not_read() {
     }
 }
 
-/// Numbers of a block that a part program of the model cannot have.
-const NOT_PROGRAMMED: [&str; 3] = ["FeedCriterial", "ParabAccel", "LinearAccel"];
+/// What a block of the model cannot have: there is no M group 0, nor are there ramps of its own.
+const NOT_PROGRAMMED: [&str; 4] = ["M0", "FeedCriterial", "ParabAccel", "LinearAccel"];
 
 #[test]
 fn every_member_of_a_block_is_written() {

@@ -253,7 +253,8 @@ impl Play<'_> {
 
     fn set(&mut self, text: &str) {
         let (name, value) = text.split_once('=').unwrap_or_else(|| panic!("NAME=VALUE: {text}"));
-        let target = expression::resolve(&self.debug, Some(0), name).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let target =
+            expression::resolve(&self.debug, Some(0), name).unwrap_or_else(|e| panic!("{text}: {e}"));
         let target = target.in_memory(self.simulation.runtime().program());
         let runtime = self.simulation.runtime_mut();
         match target.assign(value).unwrap_or_else(|e| panic!("{text}: {e}")) {

@@ -25,7 +25,10 @@ const READ: &[(&str, &str)] = &[
     ("wheel", "KNOB_STEP REQ_ESHIFT ACT_ESHIFT SHIFT_ENABLE AUTMAN_KNOB_TOGGLE AUTMAN_SEL2"),
     ("homing of servo loops", "REF_SERV_*"),
     ("orientation", "POLOHV*"),
-    ("spindle", "SPINDLE_GEAR_ACT_1 REQ_EXT_SPINDLE_GEAR REQ_MAN_SPINDLE_GEAR SPEED_OVR SPEED_OVR_MULTIPLIER"),
+    (
+        "spindle",
+        "SPINDLE_GEAR_ACT_1 REQ_EXT_SPINDLE_GEAR REQ_MAN_SPINDLE_GEAR SPEED_OVR SPEED_OVR_MULTIPLIER",
+    ),
     ("spindle by the program", "SPEED_OVR_EXT SIM_SPEED_PT OTACKY_VR"),
     ("cutting", "EXT_AKRR_*"),
     ("cutting by the program", "AKRR_*"),
@@ -98,7 +101,12 @@ fn power() -> Scene {
             data.backup = vec![7; 10_000];
             let analog = Analog { channel: 3, scale: 1.0, offset: 0.0, min: -10.0, max: 10.0 };
             let physical = Physical::AnalogOutput(analog);
-            data.wiring.points.push(Mapping { id: b"belt".to_vec(), physical, connected: true, default: 0.0 });
+            data.wiring.points.push(Mapping {
+                id: b"belt".to_vec(),
+                physical,
+                connected: true,
+                default: 0.0,
+            });
             simulation.control_mut().set_data(data);
         },
         ..Scene::new("power", 5)
@@ -124,9 +132,10 @@ fn blocks() -> Scene {
             "[control]\nconditional-stop = true\n{groups}{}{others}[[spindle]]\nport = 1\ngear = [{{ max-speed = 1000 }}]\n",
             block(first, 30.0)
         ),
-        script: "0: START_SUSPEND=1\n4: STOP_REQ=1\n12: go\n20: STOP_EMERGENCY_REQ=1\n30: go\n50: go\n60: go\n\
+        script:
+            "0: START_SUSPEND=1\n4: STOP_REQ=1\n12: go\n20: STOP_EMERGENCY_REQ=1\n30: go\n50: go\n60: go\n\
                  70: REQ_BACKUP_MEM=1"
-            .to_owned(),
+                .to_owned(),
         ..Scene::new("program of blocks", 80)
     }
 }
@@ -140,8 +149,7 @@ fn ways() -> Vec<Scene> {
     let feed = block("at-cycle = 1\nfeed = 6000", 20.0);
     let slow = "feed-slow = 100";
     let limits = "limit-plus = 10\nlimit-minus = -10\nlimit-zone = 2\nfeed-slow = 600";
-    let there_and_back =
-        "[[block]]\nat-cycle = 1\nfeed = 6000\naxes = [[0, 20.0], [1, -20.0]]\n[[block]]\nfeed = 6000\naxes = [[2, 5.0]]\n";
+    let there_and_back = "[[block]]\nat-cycle = 1\nfeed = 6000\naxes = [[0, 20.0], [1, -20.0]]\n[[block]]\nfeed = 6000\naxes = [[2, 5.0]]\n";
     vec![
         Scene {
             machine: format!("{}{feed}", axes(slow)),
@@ -183,7 +191,9 @@ fn jogs() -> Vec<Scene> {
     let there_and_back = format!("3: {}\n8: {}\n10: {}", all("0"), none("0"), all("1"));
     let spindle = "[[spindle]]\nport = 1\ngear = [{ max-speed = 1000 }]\n";
     let keys = each(1..=16, |n| {
-        format!("[[key]]\nname = 'p{n}'\npanel = {{ jog = {n} }}\n[[key]]\nname = 'm{n}'\npanel = {{ jog = -{n} }}\n")
+        format!(
+            "[[key]]\nname = 'p{n}'\npanel = {{ jog = {n} }}\n[[key]]\nname = 'm{n}'\npanel = {{ jog = -{n} }}\n"
+        )
     });
     let wheel = "[[key]]\nname = 'select'\npanel = { select-axis = 1 }\n[[key]]\nname = 'wheel'\npanel = { wheel = 5 }\n\
                  [[key]]\nname = 'rapid'\npanel = 'jog-rapid'\n[[key]]\nname = 'step'\npanel = { wheel-step = 50 }\n\
@@ -194,7 +204,9 @@ fn jogs() -> Vec<Scene> {
         Scene {
             machine: spindle.to_owned(),
             main: "ANALOG_PORT 1 / ANALOG 30000".to_owned(),
-            script: format!("{external}\n{there_and_back}\n14: REQ_EXT_SELECT_AUTMAN=1\n16: AUTMAN_REQ=0\n17: AUTMAN_SELECT=1\n19: AUTMAN_CANCEL=1"),
+            script: format!(
+                "{external}\n{there_and_back}\n14: REQ_EXT_SELECT_AUTMAN=1\n16: AUTMAN_REQ=0\n17: AUTMAN_SELECT=1\n19: AUTMAN_CANCEL=1"
+            ),
             ..Scene::new("jog", 24)
         },
         Scene {
@@ -202,7 +214,9 @@ fn jogs() -> Vec<Scene> {
             ..Scene::new("jog at a feed", 12)
         },
         Scene {
-            script: format!("{external} REQ_EXT_G00_AUTMAN=1 REQ_EXT_FEED_G00_AUTMAN=1 EXT_FEED_G00_AUTMAN=700\n{there_and_back}"),
+            script: format!(
+                "{external} REQ_EXT_G00_AUTMAN=1 REQ_EXT_FEED_G00_AUTMAN=1 EXT_FEED_G00_AUTMAN=700\n{there_and_back}"
+            ),
             ..Scene::new("rapid jog", 12)
         },
         Scene {
@@ -218,9 +232,11 @@ fn jogs() -> Vec<Scene> {
         },
         Scene {
             machine: format!("{wheel}{select}"),
-            script: format!("1: AUTMAN_REQ=1 KNOB_STEP=100\n2: +select\n3: +wheel\n8: -wheel -select\n10: AUTMAN_REQ=0 REQ_ESHIFT=1 ACT_ESHIFT=1\n\
+            script: format!(
+                "1: AUTMAN_REQ=1 KNOB_STEP=100\n2: +select\n3: +wheel\n8: -wheel -select\n10: AUTMAN_REQ=0 REQ_ESHIFT=1 ACT_ESHIFT=1\n\
                      11: +wheel\n16: ACT_ESHIFT=0\n18: +select\n19: -wheel\n20: ACT_ESHIFT=1\n21: +wheel\n23: -wheel\n{others}\
-                     42: +step +mode +active"),
+                     42: +step +mode +active"
+            ),
             ..Scene::new("wheel", 45)
         },
     ]
@@ -230,10 +246,13 @@ fn homings() -> Vec<Scene> {
     let fast = "ref-speed = 6000\nref-speed-low = 1200\nslow-down-switch = true\npulse-distance = 1\n";
     let bits = |name: &str, value: u8| each(1..=16, |n| format!("{name}{}={value} ", axis(n)));
     let servos = each(1..=16, |n| {
-        format!("[[axis]]\nnumber = {n}\nref-method = 12\nref-speed = 6000\nref-speed-low = 1200\nservos = [{n}]\n")
+        format!(
+            "[[axis]]\nnumber = {n}\nref-method = 12\nref-speed = 6000\nref-speed-low = 1200\nservos = [{n}]\n"
+        )
     });
     let loops = |value: u8| each(1..=16, |n| format!("REF_SERV_{n}={value} "));
-    let keys = "[[key]]\nname = 'home'\npanel = { home = 3 }\n[[key]]\nname = 'group'\npanel = 'home-group'\n";
+    let keys =
+        "[[key]]\nname = 'home'\npanel = { home = 3 }\n[[key]]\nname = 'group'\npanel = 'home-group'\n";
     let plc = "[[axis]]\nnumber = 3\nref-method = 1\n";
     vec![
         Scene {
@@ -270,7 +289,9 @@ fn spindles() -> Vec<Scene> {
     let speed = "[[block]]\nat-cycle = 1\nm = [40]\nspeed = 600.0\n[[block]]\nat-cycle = 20\nspeed = 1500.0\n[[block]]\nat-cycle = 30\nm = [3]\n";
     let cut = "[[block]]\nat-cycle = 1\nspeed = 600.0\ncutting-speed = 60.0\nspeed-limit = 1200.0\nfeed = 6000\n\
                flags = ['const-cut-speed']\naxes = [[0, 30.0]]\n[[block]]\nat-cycle = 45\nspeed = 500.0\n";
-    let two = |keys: &str| format!("[[spindle]]\nport = 1\n{keys}{GEARS}[[spindle]]\nnumber = 2\nport = 2\n{GEARS}");
+    let two = |keys: &str| {
+        format!("[[spindle]]\nport = 1\n{keys}{GEARS}[[spindle]]\nnumber = 2\nport = 2\n{GEARS}")
+    };
     let given = "EXT_AKRR_SMAX=1 EXT_AKRR_DIST=1 EXT_AKRR_VCORR=1 EXT_AKRR_P=1 EXT_AKRR_U=1 EXT_AKRR_R=1 EXT_AKRR_V=1";
     let values = "AKRR_V=50000 AKRR_SMAX=900000 AKRR_DIST=8000 AKRR_VCORR=1000 AKRR_P=1900000 AKRR_U=30000 AKRR_R=160000";
     vec![
@@ -315,7 +336,10 @@ fn ethercat() -> Scene {
 
 fn drives() -> Scene {
     let drive = |n: u32| {
-        format!("[[ethercat]]\nname = 'D{n}'\ndrive = true\nservo = {n}\n[[can-drive]]\naxis = {}\n[[fault]]\nname = 'f{n}'\nslave = 'D{n}'\nerror = 7\n", n + 1)
+        format!(
+            "[[ethercat]]\nname = 'D{n}'\ndrive = true\nservo = {n}\n[[can-drive]]\naxis = {}\n[[fault]]\nname = 'f{n}'\nslave = 'D{n}'\nerror = 7\n",
+            n + 1
+        )
     };
     let all = |name: &str| each(0..=15, |n| format!("fl{name}{n}=1 "));
     let commands = each(0..=15, |n| format!("WORD.(CAN_DRIVE_CMD+{})=1 ", 2 * n));

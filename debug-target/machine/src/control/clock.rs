@@ -99,7 +99,8 @@ fn parse(text: &str) -> Result<i64, String> {
     let wrong = || format!("`{text}` is no time; write it as \"2026-03-01 06:30:00\"");
     let numbers = |text: &str, sign: char| -> Option<[i64; 3]> {
         let mut parts = text.split(sign).map(|part| {
-            let digits = !part.is_empty() && part.len() <= 4 && part.bytes().all(|byte| byte.is_ascii_digit());
+            let digits =
+                !part.is_empty() && part.len() <= 4 && part.bytes().all(|byte| byte.is_ascii_digit());
             digits.then(|| part.parse::<i64>().ok())?
         });
         let three = [parts.next()??, parts.next()??, parts.next()??];
@@ -152,9 +153,18 @@ mod tests {
     fn a_time_is_read_or_refused() {
         assert_eq!(parse("2000-01-01 00:00:01"), Ok(1000));
         assert_eq!(parse("2000-03-01T06:30:00"), Ok(60 * DAY + 23_400_000));
-        for wrong in ["", "2026-03-01", "2026-02-29 00:00:00", "2026-13-01 00:00:00", "2026-00-10 00:00:00",
-            "2026-01-01 24:00:00", "2026-01-01 00:60:00", "2026-01-01 00:00:00:0", "1601-01-01 00:00:00", "99999-01-01 0:0:0"]
-        {
+        for wrong in [
+            "",
+            "2026-03-01",
+            "2026-02-29 00:00:00",
+            "2026-13-01 00:00:00",
+            "2026-00-10 00:00:00",
+            "2026-01-01 24:00:00",
+            "2026-01-01 00:60:00",
+            "2026-01-01 00:00:00:0",
+            "1601-01-01 00:00:00",
+            "99999-01-01 0:0:0",
+        ] {
             assert!(parse(wrong).is_err(), "{wrong}");
         }
     }

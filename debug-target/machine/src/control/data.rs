@@ -3,7 +3,9 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-use super::board::{MessageKind, MessageText};
+use crate::motion::config::Gear;
+
+use super::board::MessageText;
 use super::elements::ChannelWiring;
 
 /// Data of the control. Texts are in the code page of the control. Identifiers are distinguished by case.
@@ -23,6 +25,19 @@ pub struct ControlData {
     pub wiring: ChannelWiring,
     /// M functions and their groups (`MFunctions`, manual 8.3.5); those that cannot be are left out.
     pub m_groups: Vec<(u8, u8)>,
+    /// Gears of spindles (`Spindle`, manual 12); what is out of range is left out.
+    pub gears: Vec<SpindleGears>,
+}
+
+/// Gears of a spindle.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SpindleGears {
+    /// 1 or 2.
+    pub spindle: u8,
+    /// Greatest programmed speed in rev/min; 0: that of the fastest gear.
+    pub speed_limit: u32,
+    /// The lowest first.
+    pub gears: Vec<Gear>,
 }
 
 impl ControlData {
@@ -30,14 +45,6 @@ impl ControlData {
     #[must_use]
     pub fn message(&self, number: u32) -> Option<&MessageText> {
         self.messages.get(&number)
-    }
-
-    /// Messages that the control reports by itself have texts of their own.
-    pub(super) fn know_own_messages(&mut self) {
-        for (number, text) in super::messages::message::TEXTS {
-            let own = || MessageText { kind: MessageKind::Err, persistent: false, text: text.into() };
-            self.messages.entry(number).or_insert_with(own);
-        }
     }
 }
 

@@ -10,7 +10,9 @@ impl SimulatedControl {
         if self.bus_faults == faults {
             return;
         }
-        let cut = |can| faults.contains(&BusFault::CanCut(can)) && !self.bus_faults.contains(&BusFault::CanCut(can));
+        let cut = |can| {
+            faults.contains(&BusFault::CanCut(can)) && !self.bus_faults.contains(&BusFault::CanCut(can))
+        };
         for can in [1, 2].into_iter().filter(|can| cut(*can)) {
             self.messages.of_control(message::INTERRUPTED, [Some(i64::from(can)), None, None]);
         }

@@ -21,13 +21,16 @@ pub(super) mod message {
     /// A drive reports an error; its axis, its error register, the code.
     pub(in crate::control) const EMERGENCY: u32 = 4217;
 
-    /// Their texts, for control data that have none.
-    pub(in crate::control) const TEXTS: [(u32, &str); 4] = [
-        (INTERRUPTED, "CAN channel %d is interrupted"),
-        (NO_ANSWER, "CAN drive %d does not answer"),
-        (BAD_ANSWER, "CAN drive %d refuses a command"),
-        (EMERGENCY, "CAN drive %d reports an error, register %d, code %X"),
-    ];
+    /// The text of such a message, where no file has one; empty for others.
+    pub(in crate::control) fn text(number: u32) -> &'static str {
+        match number {
+            INTERRUPTED => "CAN channel %d is interrupted",
+            NO_ANSWER => "CAN drive %d does not answer",
+            BAD_ANSWER => "CAN drive %d refuses a command",
+            EMERGENCY => "CAN drive %d reports an error, register %d, code %X",
+            _ => "",
+        }
+    }
 }
 
 /// Bindings of a program; one more is not looked at. No machine has so many messages.

@@ -47,7 +47,7 @@ use shared::SharedMemory;
 use tables::Tables;
 
 pub use board::{MessageBoard, MessageKind, MessageText, Shown};
-pub use data::{Column, ControlData, Table, Value, ValueKind};
+pub use data::{Column, ControlData, SpindleGears, Table, Value, ValueKind};
 pub use shared::Shared;
 
 use can::{Drives, Units};
@@ -104,7 +104,6 @@ impl SimulatedControl {
             ..SimulatedControl::default()
         };
         control.connect_buses(machine);
-        control.data.know_own_messages();
         control
     }
 
@@ -180,8 +179,10 @@ impl SimulatedControl {
     pub fn set_data(&mut self, data: ControlData) {
         // An identifier that is none connects nothing; who reads the files reports it.
         let _ = self.elements.configure(data.wiring.clone());
+        for SpindleGears { spindle, speed_limit, gears } in &data.gears {
+            self.motion.set_gears(*spindle, gears, *speed_limit);
+        }
         self.data = data;
-        self.data.know_own_messages();
         backup::make_room(&mut self.data.backup);
     }
 

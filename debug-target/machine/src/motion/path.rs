@@ -146,8 +146,11 @@ impl Path {
     pub(crate) fn millis_left(&self) -> u32 {
         let (left, speed) = (self.length - self.along.position, self.allowed);
         let brake = speed * speed / (2.0 * self.accel);
-        let seconds =
-            if left < brake { root(2.0 * left / self.accel) } else { (left - brake) / speed + speed / self.accel };
+        let seconds = if left < brake {
+            root(2.0 * left / self.accel)
+        } else {
+            (left - brake) / speed + speed / self.accel
+        };
         // What is no number is held; more than fits is the greatest.
         if seconds.is_nan() { u32::MAX } else { (seconds * 1000.0) as u32 }
     }

@@ -211,11 +211,7 @@ impl Drives {
     }
 
     /// Why a drive is in error, which it tells at once.
-    pub(in super::super) fn set_error(
-        &mut self,
-        error: impl Fn(u8) -> Option<u16>,
-        messages: &mut Messages,
-    ) {
+    pub(in super::super) fn set_error(&mut self, error: impl Fn(u8) -> Option<u16>, messages: &mut Messages) {
         for (axis, drive) in &mut self.all {
             let cause = error(*axis);
             if cause != drive.cause

@@ -141,7 +141,8 @@ impl CanUnit {
                 self.seen[n] = self.said[n];
             }
         }
-        let shorted = ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().any(|name| self.get(name) > Some(0));
+        let shorted =
+            ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().any(|name| self.get(name) > Some(0));
         let told = self.get("ERROR").unwrap_or(0) | if shorted { SHORT } else { 0 };
         let error = told | if told != 0 { ANY_ERROR } else { 0 };
         if let Some(n) = member("ERROR") {
@@ -182,7 +183,9 @@ impl Units {
     fn tell_errors(&self, group: u16, memory: &mut [u8]) {
         let own = || self.all.iter().filter(|((_, its, _), _)| *its == group);
         let error = own().find_map(|((.., board), unit)| {
-            unit.get("ERROR").filter(|error| *error != 0 && !unit.lost).map(|error| (error as u8, *board as u8))
+            unit.get("ERROR")
+                .filter(|error| *error != 0 && !unit.lost)
+                .map(|error| (error as u8, *board as u8))
         });
         let late = own().find(|(_, unit)| unit.is_late()).map(|((.., board), _)| (1, *board as u8));
         let ((error, in_error), (timeout, silent)) = (error.unwrap_or_default(), late.unwrap_or_default());
