@@ -550,10 +550,3 @@ pub fn system_symbol(key: &str) -> Option<Symbol> {
     let kind = semantics::program::system_kind(&system.kind);
     Some(Symbol { key: SymbolKey { scope: SymbolScope::System, name: Arc::from(system.name) }, kind })
 }
-
-impl<'db> Section<'db> {
-    /// Number of own lines. Unlike [`Section::lines`] it does not depend on where they stand.
-    pub fn lines_len(self, db: &'db dyn Db) -> u32 {
-        section_lines(db, self).lines.len() as u32
-    }
-}

@@ -363,7 +363,7 @@ pub(crate) enum EncodingName {
 /// `technol explain`
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
-    /// Instruction, keyword, symbol of the control, or code such as T0123
+    /// Instruction, keyword, symbol of the control, or code such as T0301
     #[arg(required_unless_present_any = ["list", "search"], conflicts_with_all = ["list", "search"])]
     pub(crate) name: Option<String>,
     /// List everything there is a page for

@@ -116,6 +116,7 @@ pub(crate) struct AttachArguments {
 mod tests {
     use super::*;
     use serde_json::json;
+    use std::collections::BTreeSet;
 
     #[test]
     fn a_program_is_enough() {
@@ -150,6 +151,49 @@ mod tests {
         let launch: LaunchArguments = serde_json::from_value(arguments.clone()).unwrap();
         let attach: AttachArguments = serde_json::from_value(arguments).unwrap();
         assert_eq!((launch.link, attach.link), (link.clone(), link));
+    }
+
+    /// The names of the first table of the book's page on debugging: what `launch` takes.
+    const BOOK: &str = include_str!("../../docs/debugging.md");
+    const VS_CODE: &str = include_str!("../../editors/vscode/package.json");
+
+    #[test]
+    fn the_book_and_vs_code_offer_the_arguments_that_there_are() {
+        let book: BTreeSet<&str> = BOOK
+            .lines()
+            .skip_while(|line| !line.starts_with("| argument "))
+            .skip(2)
+            .map_while(|line| line.strip_prefix("| `")?.split('`').next())
+            .collect();
+        let package: serde_json::Value = serde_json::from_str(VS_CODE).unwrap();
+        let schema = &package["contributes"]["debuggers"][0]["configurationAttributes"];
+        let offered = |kind: &str| -> BTreeSet<&str> {
+            schema[kind]["properties"].as_object().unwrap().keys().map(String::as_str).collect()
+        };
+        assert_eq!(offered("launch"), book);
+        // What only makes sense where a program is started.
+        let started = BTreeSet::from(["stopOnEntry", "clock", "download"]);
+        assert_eq!(offered("attach"), book.difference(&started).copied().collect());
+        for name in book {
+            let wrong = json!({"program": "/p", name: {}});
+            let launch = serde_json::from_value::<LaunchArguments>(wrong.clone());
+            assert!(launch.is_err(), "{name} means nothing at launch");
+            let attach = serde_json::from_value::<AttachArguments>(wrong);
+            assert_eq!(attach.is_err(), !started.contains(name), "{name} at attach");
+        }
+    }
+
+    #[test]
+    fn every_editor_offers_the_address_of_the_book() {
+        for text in [
+            BOOK,
+            VS_CODE,
+            include_str!("../../editors/helix/languages.toml"),
+            include_str!("../../editors/neovim/lua/technol_dap.lua"),
+        ] {
+            let addresses: BTreeSet<&str> = text.split("tcp:127.0.0.1:").skip(1).map(|it| &it[..4]).collect();
+            assert_eq!(addresses, BTreeSet::from(["5700"]));
+        }
     }
 
     #[test]

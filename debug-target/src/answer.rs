@@ -190,7 +190,10 @@ impl TargetCore {
         let mut bytes = Vec::with_capacity(total);
         for (addr, len) in pieces {
             let start = *addr as usize;
-            let piece = plc.memory().get(start..start + usize::from(*len)).ok_or(Failure::OutOfRange)?;
+            let piece = plc
+                .memory()
+                .get(start..start.saturating_add(usize::from(*len)))
+                .ok_or(Failure::OutOfRange)?;
             bytes.extend_from_slice(piece);
         }
         Ok(Response::Memory { cycle: plc.cycle(), bytes })

@@ -17,7 +17,7 @@ pub(super) fn resolve(text: &str) -> Option<Result<Target, ExpressionError>> {
 
 /// `rest` is what stands behind `BLK[`.
 fn member(text: &str, rest: &str) -> Result<Target, ExpressionError> {
-    let unknown = || ExpressionError::Unknown(text.to_owned());
+    let unknown = || ExpressionError::Unknown(text.to_owned(), None);
     let (index, behind) = rest.split_once(']').ok_or(ExpressionError::Unexpected(0, String::new()))?;
     let block = number(index.trim()).ok_or_else(|| ExpressionError::Number(index.trim().to_owned()))?;
     let block =

@@ -87,8 +87,8 @@ pub enum ExpressionError {
     Unexpected(usize, String),
     /// A number that is malformed or too large.
     Number(String),
-    /// The program does not know the name.
-    Unknown(String),
+    /// The program does not know the name; what is most likely meant.
+    Unknown(String, Option<String>),
     /// Several files have a local symbol of this name: the name and how to say which.
     Ambiguous(String, Vec<String>),
     /// The project has no such file.
@@ -118,7 +118,10 @@ impl fmt::Display for ExpressionError {
                 write!(f, "`{found}` at column {} is not expected here", column + 1)
             }
             ExpressionError::Number(text) => write!(f, "`{text}` is not a number: 248, 0F8h, 0xF8 or 0101b"),
-            ExpressionError::Unknown(name) => write!(f, "{name} is not declared in this program"),
+            ExpressionError::Unknown(name, near) => {
+                write!(f, "{name} is not declared in this program")?;
+                near.as_ref().map_or(Ok(()), |near| write!(f, "; did you mean {near}?"))
+            }
             ExpressionError::Ambiguous(name, choices) => {
                 write!(f, "{name} is local in several files; say {}", choices.join(" or "))
             }
@@ -177,8 +180,7 @@ pub fn resolve(debug: &DebugInfo, file: Option<u8>, text: &str) -> Result<Target
 }
 
 /// The name of the program, or the predefined one, that a name nobody knows is most likely meant to be.
-#[must_use]
-pub fn nearest<'a>(debug: &'a DebugInfo, name: &str) -> Option<&'a str> {
+fn nearest<'a>(debug: &'a DebugInfo, name: &str) -> Option<&'a str> {
     let own = debug.symbols.iter().map(|symbol| symbol.name.as_str());
     suggest::nearest(name, own.chain(catalogue::symbols().map(|symbol| symbol.name)))
 }

@@ -73,9 +73,10 @@ impl Names<'_> {
             Some((rank, symbol)) if rank < 4 => Ok(found(&symbol.kind)),
             label => match predefined(name) {
                 Some(found) => Ok(found),
-                None => label
-                    .map(|(_, s)| found(&s.kind))
-                    .ok_or_else(|| ExpressionError::Unknown(name.to_owned())),
+                None => label.map(|(_, s)| found(&s.kind)).ok_or_else(|| {
+                    let near = super::nearest(self.debug, name).map(str::to_owned);
+                    ExpressionError::Unknown(name.to_owned(), near)
+                }),
             },
         }
     }

@@ -10,7 +10,7 @@ use crate::semantics::hir::{SymbolKey, SymbolScope};
 use crate::semantics::layout::line_key;
 use crate::semantics::reference::Referent;
 use crate::semantics::scope::{Symbol, SymbolKind};
-use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name, SIGNIFICANT};
+use crate::syntax::ast::{Columns, Line, Name, SIGNIFICANT};
 
 /// A position with what surrounds it.
 pub(super) struct Cursor<'db> {
@@ -79,7 +79,7 @@ impl<'db> Cursor<'db> {
         let operation = self.line.operation.as_ref().map(Word::Operation);
         let mut words: Vec<Word<'db>> = label.into_iter().chain(operation).collect();
         for operand in &self.line.operands {
-            names_of(operand, &mut |name| words.push(Word::Operand(name)));
+            words.extend(operand.names().into_iter().map(Word::Operand));
         }
         words.into_iter().rev().find(|word| touches(word.columns()))
     }
@@ -186,23 +186,6 @@ fn operand_word(name: &Name) -> Option<Meaning> {
     }
     let entry = catalogue::entry(&name.text)?;
     matches!(entry.kind, EntryKind::Keyword | EntryKind::EventProcedure).then_some(Meaning::Entry(entry))
-}
-
-/// Calls `found` for every name of an operand, in order of the text.
-fn names_of<'a>(expr: &'a Expr, found: &mut impl FnMut(&'a Name)) {
-    match &expr.kind {
-        ExprKind::Name(name) => found(name),
-        ExprKind::Sign { operand: inner, .. } | ExprKind::Parens(inner) => names_of(inner, found),
-        ExprKind::Sum { left, right, .. } | ExprKind::Dot { left, right } => {
-            names_of(left, found);
-            names_of(right, found);
-        }
-        ExprKind::Index { base, index } => {
-            names_of(base, found);
-            names_of(index, found);
-        }
-        _ => {}
-    }
 }
 
 /// The file whose local names are visible in a section: its own, or the one that includes it.

@@ -144,20 +144,7 @@ impl<'a> Shape<'a> {
         minus: bool,
         inside: bool,
     ) -> Result<(), Misshape> {
-        if let ExprKind::Name(name) = &left.kind
-            && let Some(spelling) = catalogue::prefix(&name.text)
-        {
-            if self.prefix.is_some() || !self.terms.is_empty() {
-                return Err(Misshape::Form(
-                    name.columns.clone(),
-                    "a type prefix stands once, before the operand",
-                ));
-            }
-            self.prefix = Some(PrefixUse {
-                prefix: spelling.prefix,
-                misspelled: spelling.misspelled,
-                columns: name.columns.clone(),
-            });
+        if self.take_prefix(left)? {
             return self.take(right, minus, inside);
         }
         if let Some(block) = block_index(left).filter(|_| self.terms.is_empty() && self.block.is_none()) {
@@ -184,6 +171,18 @@ impl<'a> Shape<'a> {
         Ok(())
     }
 
+    /// Whether it is a type prefix, which is then taken.
+    fn take_prefix(&mut self, expr: &Expr) -> Result<bool, Misshape> {
+        let ExprKind::Name(name) = &expr.kind else { return Ok(false) };
+        let Some(spelling) = catalogue::prefix(&name.text) else { return Ok(false) };
+        let columns = name.columns.clone();
+        if self.prefix.is_some() || !self.terms.is_empty() {
+            return Err(Misshape::Form(columns, "a type prefix stands once, before the operand"));
+        }
+        self.prefix = Some(PrefixUse { prefix: spelling.prefix, misspelled: spelling.misspelled, columns });
+        Ok(true)
+    }
+
     /// What stands behind `BLK[n].`: a prefix or the member itself.
     fn take_in_block(
         &mut self,
@@ -192,20 +191,7 @@ impl<'a> Shape<'a> {
         minus: bool,
         inside: bool,
     ) -> Result<(), Misshape> {
-        if let ExprKind::Name(name) = &right.kind
-            && let Some(spelling) = catalogue::prefix(&name.text)
-        {
-            if self.prefix.is_some() {
-                return Err(Misshape::Form(
-                    name.columns.clone(),
-                    "a type prefix stands once, before the operand",
-                ));
-            }
-            self.prefix = Some(PrefixUse {
-                prefix: spelling.prefix,
-                misspelled: spelling.misspelled,
-                columns: name.columns.clone(),
-            });
+        if self.take_prefix(right)? {
             return Ok(());
         }
         match &right.kind {

@@ -16,7 +16,7 @@ use super::scope::{Symbol, SymbolKind};
 use super::{devices, flow, lints, moves, operands, place, suggest};
 use crate::catalogue::{self, Entry, EntryKind};
 use crate::database::{self, Db, Project, Section};
-use crate::diagnostics::rules::{memory, names as name_rules, operands as operand_rules, sequences, syntax};
+use crate::diagnostics::rules::{memory, names as name_rules, operands as operand_rules, sequences};
 use crate::diagnostics::{Finding, Rule, Severity};
 use crate::syntax::ParsedLines;
 use crate::syntax::ast::{Columns, ExprKind, Line, Name};
@@ -224,9 +224,10 @@ impl<'db> CodeReader<'db> {
 
     /// The catalogue's entry; reports words that are neither instruction nor macro.
     fn entry(&mut self, operation: &Name) -> Option<&'static Entry> {
-        let known = catalogue::entry(&operation.text).filter(|entry| {
+        let operates = |entry: &&Entry| {
             !matches!(entry.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure)
-        });
+        };
+        let known = catalogue::entry(&operation.text).filter(operates);
         if known.is_some() {
             return known;
         }
@@ -236,22 +237,8 @@ impl<'db> CodeReader<'db> {
             return None;
         }
         self.misplaced = true;
-        let names = catalogue::entries()
-            .filter(|e| {
-                !matches!(e.kind, EntryKind::TypePrefix | EntryKind::Keyword | EntryKind::EventProcedure)
-            })
-            .map(|entry| entry.name);
-        let near = suggest::nearest(&operation.text, names);
-        let message = match near {
-            Some(near) => format!("{} is no instruction; did you mean {near}?", operation.text),
-            None => format!("{} is neither an instruction nor a macro of this project", operation.text),
-        };
-        let mut finding =
-            Finding::new(&syntax::UNKNOWN_INSTRUCTION, self.line, operation.columns.clone(), message);
-        if let Some(near) = near {
-            finding = finding.replace(format!("write {near}"), operation.columns.clone(), near);
-        }
-        self.push_finding(finding);
+        let names = catalogue::entries().filter(operates).map(|entry| entry.name);
+        self.push_finding(suggest::unknown_instruction(self.line, operation, names));
         None
     }
 

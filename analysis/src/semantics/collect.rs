@@ -185,6 +185,19 @@ impl Reader {
         self.found.findings.push(Finding::new(rule, line, columns, message));
     }
 
+    /// A constant expression; what is none is reported.
+    pub(super) fn constant(&mut self, line: u32, expr: &Expr) -> Option<ConstExpr> {
+        match ConstExpr::read(expr) {
+            Ok(constant) => Some(constant),
+            Err(why) => {
+                if let Some((columns, message)) = why.message() {
+                    self.report(&rules::NOT_CONSTANT, line, columns, message);
+                }
+                None
+            }
+        }
+    }
+
     pub(super) fn declare(&mut self, name: Name, line: u32, what: What) -> u32 {
         self.check_name(line, &name);
         self.check_system(line, &name, &what);
@@ -498,26 +511,6 @@ fn is_reserved(name: &str) -> bool {
     catalogue::entry(name).is_some_and(taken)
         || catalogue::prefix(name).is_some()
         || catalogue::is_keyword(name)
-}
-
-impl NotConstant {
-    /// Where and what to say; `None` when it is reported already.
-    #[must_use]
-    pub fn message(self) -> Option<(Columns, String)> {
-        match self {
-            NotConstant::Reported => None,
-            NotConstant::Real(columns) => {
-                Some((columns, "an integer is needed here, not a number with a decimal point".to_string()))
-            }
-            NotConstant::Text(columns) => {
-                Some((columns, "a character constant is one character in apostrophes".to_string()))
-            }
-            NotConstant::Form(columns) => Some((
-                columns,
-                "a constant is needed here: a number, 'A', an EQUI name, or their sum".to_string(),
-            )),
-        }
-    }
 }
 
 impl ParsedLines {

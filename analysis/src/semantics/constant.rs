@@ -115,6 +115,26 @@ impl ConstExpr {
     }
 }
 
+impl NotConstant {
+    /// Where and what to say; `None` when it is reported already.
+    #[must_use]
+    pub fn message(self) -> Option<(Columns, String)> {
+        match self {
+            NotConstant::Reported => None,
+            NotConstant::Real(columns) => {
+                Some((columns, "an integer is needed here, not a number with a decimal point".to_string()))
+            }
+            NotConstant::Text(columns) => {
+                Some((columns, "a character constant is one character in apostrophes".to_string()))
+            }
+            NotConstant::Form(columns) => Some((
+                columns,
+                "a constant is needed here: a number, 'A', an EQUI name, or their sum".to_string(),
+            )),
+        }
+    }
+}
+
 /// The value of a character constant.
 #[must_use]
 pub fn character(text: &str) -> Option<i64> {

@@ -7,7 +7,6 @@
 use technol_image::op::Width;
 
 use super::collect::{MAX_LENGTH, Reader};
-use super::constant::ConstExpr;
 use super::declarations::{LengthOf, What};
 use super::program::width;
 use crate::catalogue::{CellType, NewCell, cell_type};
@@ -105,15 +104,7 @@ fn length(
         LengthOf::Elements(size) => MAX_LENGTH / i64::from(size),
         _ => MAX_LENGTH,
     };
-    let expr = match ConstExpr::read(count) {
-        Ok(expr) => expr,
-        Err(why) => {
-            if let Some((columns, message)) = why.message() {
-                reader.report(&declarations::NOT_CONSTANT, number, columns, message);
-            }
-            return None;
-        }
-    };
+    let expr = reader.constant(number, count)?;
     let mut used = Vec::new();
     expr.names(&mut used);
     match expr.literal() {

@@ -6,7 +6,6 @@
 use technol_image::op::Width;
 
 use super::collect::{MAX_LENGTH, Reader};
-use super::constant::ConstExpr;
 use super::declarations::{Extent, What};
 use crate::diagnostics::rules::{declarations, memory};
 use crate::syntax::ast::{Columns, Expr, ExprKind, Line, Name};
@@ -153,15 +152,7 @@ fn count(reader: &mut Reader, number: u32, line: &Line, element: Width) -> Optio
 }
 
 fn repetition(reader: &mut Reader, number: u32, times: &Expr, total: &mut Extent) -> Option<()> {
-    let expr = match ConstExpr::read(times) {
-        Ok(expr) => expr,
-        Err(why) => {
-            if let Some((columns, message)) = why.message() {
-                reader.report(&declarations::NOT_CONSTANT, number, columns, message);
-            }
-            return None;
-        }
-    };
+    let expr = reader.constant(number, times)?;
     let mut used = Vec::new();
     expr.names(&mut used);
     match expr.literal() {

@@ -3,6 +3,9 @@
 use std::sync::Arc;
 
 use super::scope::Scope;
+use crate::diagnostics::Finding;
+use crate::diagnostics::rules::syntax;
+use crate::syntax::ast::Name;
 
 /// The candidate nearest to `word`, if one is near enough to be a likely slip. Both are compared in upper case.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
@@ -11,6 +14,24 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>)
         search.offer(candidate, Letters::of(candidate));
     }
     search.best.map(|(_, name)| name)
+}
+
+/// The report of a word that is no instruction; `known` are those it may be meant for.
+pub(super) fn unknown_instruction<'a>(
+    line: u32,
+    operation: &Name,
+    known: impl Iterator<Item = &'a str>,
+) -> Finding {
+    let near = nearest(&operation.text, known);
+    let message = match near {
+        Some(near) => format!("{} is no instruction; did you mean {near}?", operation.text),
+        None => format!("{} is neither an instruction nor a macro of this project", operation.text),
+    };
+    let finding = Finding::new(&syntax::UNKNOWN_INSTRUCTION, line, operation.columns.clone(), message);
+    match near {
+        Some(near) => finding.replace(format!("write {near}"), operation.columns.clone(), near),
+        None => finding,
+    }
 }
 
 /// Names of a project, laid out so that looking at all of them takes no time to speak of.

@@ -205,10 +205,6 @@ fn add(
     element: Option<u32>,
     uses: ReferenceAccess,
 ) -> Option<()> {
-    let step = |value: i64| if term.minus { value.checked_neg() } else { Some(value) };
-    let overflow = |reader: &mut CodeReader<'_>| {
-        reader.report(&rules::CONSTANT_TOO_LARGE, term.columns.clone(), "the value is too large");
-    };
     let value = match &term.kind {
         TermKind::Integer(value) => *value,
         TermKind::Text(text) => {
@@ -247,53 +243,61 @@ fn add(
                 _ => return memory(reader, sum, term, symbol, name),
             }
         }
-        TermKind::Indexed(name, index) => {
-            let symbol = reader.resolve(name, uses)?;
-            if let SymbolKind::Member { offset, element, len } = symbol.kind {
-                let behind = Behind { name, index: Some(index), columns: term.columns.clone() };
-                return member(reader, sum, &behind, (offset, element, len), term.minus);
-            }
-            if is_bx(index) {
-                sum.indexed = true;
-            } else {
-                let number = integer(reader, index)?;
-                let size = match symbol.kind {
-                    SymbolKind::Array { element, len } => {
-                        within(reader, name, index, number, len)?;
-                        element.bytes()
-                    }
-                    SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
-                    _ => {
-                        let message = format!(
-                            "{} is {}: name[n] is for arrays; write {}+n for a byte offset, or {}[BX]",
-                            name.text,
-                            describe(&symbol.kind),
-                            name.text,
-                            name.text
-                        );
-                        reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
-                        return None;
-                    }
-                };
-                if let Some(offset) =
-                    number.checked_mul(i64::from(size)).and_then(|bytes| sum.offset.checked_add(bytes))
-                {
-                    sum.offset = offset;
-                } else {
-                    overflow(reader);
-                    return None;
-                }
-            }
-            return memory(reader, sum, term, symbol, name);
+        TermKind::Indexed(name, index) => return indexed(reader, sum, term, (name, index), element, uses),
+    };
+    let step = if term.minus { value.checked_neg() } else { Some(value) };
+    advance(reader, sum, term, step)
+}
+
+/// `name[index]`, of an array, a structure or an area whose elements have a size.
+fn indexed(
+    reader: &mut CodeReader<'_>,
+    sum: &mut Sum,
+    term: &Term<'_>,
+    (name, index): (&Name, &Expr),
+    element: Option<u32>,
+    uses: ReferenceAccess,
+) -> Option<()> {
+    let symbol = reader.resolve(name, uses)?;
+    if let SymbolKind::Member { offset, element, len } = symbol.kind {
+        let behind = Behind { name, index: Some(index), columns: term.columns.clone() };
+        return member(reader, sum, &behind, (offset, element, len), term.minus);
+    }
+    if is_bx(index) {
+        sum.indexed = true;
+        return memory(reader, sum, term, symbol, name);
+    }
+    let number = integer(reader, index)?;
+    let size = match symbol.kind {
+        SymbolKind::Array { element, len } => {
+            within(reader, name, index, number, len)?;
+            element.bytes()
+        }
+        SymbolKind::Area { .. } if element.is_some() => element.unwrap_or(1),
+        _ => {
+            let message = format!(
+                "{} is {}: name[n] is for arrays; write {}+n for a byte offset, or {}[BX]",
+                name.text,
+                describe(&symbol.kind),
+                name.text,
+                name.text
+            );
+            reader.report(&rules::OPERAND_KIND, term.columns.clone(), message);
+            return None;
         }
     };
-    if let Some(offset) = step(value).and_then(|value| sum.offset.checked_add(value)) {
-        sum.offset = offset;
-        Some(())
-    } else {
-        overflow(reader);
-        None
-    }
+    advance(reader, sum, term, number.checked_mul(i64::from(size)))?;
+    memory(reader, sum, term, symbol, name)
+}
+
+/// Goes so many bytes on; `None` is more than a number holds.
+fn advance(reader: &mut CodeReader<'_>, sum: &mut Sum, term: &Term<'_>, bytes: Option<i64>) -> Option<()> {
+    let Some(offset) = bytes.and_then(|bytes| sum.offset.checked_add(bytes)) else {
+        reader.report(&rules::CONSTANT_TOO_LARGE, term.columns.clone(), "the value is too large");
+        return None;
+    };
+    sum.offset = offset;
+    Some(())
 }
 
 fn memory(

@@ -74,6 +74,32 @@ pub struct Expr {
     pub columns: Columns,
 }
 
+impl Expr {
+    /// Every name in it, in order of the text.
+    #[must_use]
+    pub fn names(&self) -> Vec<&Name> {
+        let mut found = Vec::new();
+        self.collect_names(&mut found);
+        found
+    }
+
+    fn collect_names<'a>(&'a self, found: &mut Vec<&'a Name>) {
+        match &self.kind {
+            ExprKind::Name(name) => found.push(name),
+            ExprKind::Sign { operand: inner, .. } | ExprKind::Parens(inner) => inner.collect_names(found),
+            ExprKind::Sum { left, right, .. } | ExprKind::Dot { left, right } => {
+                left.collect_names(found);
+                right.collect_names(found);
+            }
+            ExprKind::Index { base, index } => {
+                base.collect_names(found);
+                index.collect_names(found);
+            }
+            _ => {}
+        }
+    }
+}
+
 /// Forms of an operand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {

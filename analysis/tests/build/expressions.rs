@@ -96,8 +96,8 @@ fn what_is_wrong_is_said() {
     let (debug, _) = debug();
     let error = |text: &str| resolve(&debug, None, text).expect_err(text);
     assert_eq!(error(""), ExpressionError::Empty);
-    assert_eq!(error("NOBODY"), ExpressionError::Unknown("NOBODY".into()));
-    assert_eq!(error("NOBODY.A"), ExpressionError::Unknown("NOBODY".into()));
+    assert_eq!(error("NOBODY"), ExpressionError::Unknown("NOBODY".into(), None));
+    assert_eq!(error("NOBODY.A"), ExpressionError::Unknown("NOBODY".into(), None));
     assert_eq!(error("BIG"), ExpressionError::NeedsType("BIG".into()));
     assert_eq!(error("BIG+1"), ExpressionError::NeedsType("BIG".into()));
     assert_eq!(error("WRD.9"), ExpressionError::NotABit("9".into()));

@@ -400,25 +400,13 @@ impl Call<'_> {
     /// # Errors
     /// BX leads outside memory.
     pub fn store(&mut self, n: usize, value: i64) -> Result<(), FaultKind> {
-        self.store_number(n, value, value as f64)
-    }
-
-    /// Writes a real to the cell at operand `n`; an integer cell gets it rounded toward zero.
-    ///
-    /// # Errors
-    /// BX leads outside memory.
-    pub fn store_real(&mut self, n: usize, value: f64) -> Result<(), FaultKind> {
-        self.store_number(n, value as i64, value)
-    }
-
-    fn store_number(&mut self, n: usize, integer: i64, real: f64) -> Result<(), FaultKind> {
         let bx = self.regs.bx;
         match self.args.get(n) {
             Some(Arg::Cell { place, width: Width::Real, .. }) => {
-                self.memory.write(*place, Width::Real, bx, real.to_bits().cast_signed())
+                self.memory.write(*place, Width::Real, bx, (value as f64).to_bits().cast_signed())
             }
-            Some(Arg::Cell { place, width, .. }) => self.memory.write(*place, *width, bx, integer),
-            Some(Arg::Bit { bit, .. }) => self.memory.set_bit(*bit, bx, integer != 0),
+            Some(Arg::Cell { place, width, .. }) => self.memory.write(*place, *width, bx, value),
+            Some(Arg::Bit { bit, .. }) => self.memory.set_bit(*bit, bx, value != 0),
             _ => Ok(()),
         }
     }
@@ -477,10 +465,5 @@ impl Call<'_> {
     /// DR_REAL.
     pub fn dr_real(&self) -> f64 {
         self.regs.dr_real
-    }
-
-    /// Sets DR_REAL; DR64 gets its integer copy as after LOD REAL.
-    pub fn set_dr_real(&mut self, value: f64) {
-        self.regs.set_real(value);
     }
 }

@@ -26,7 +26,7 @@ dap.configurations.technol = {
     name = "Attach to a target",
     program = project,
     target = function()
-      return vim.fn.input("Target (tcp:HOST:PORT or serial:DEVICE@BAUD): ", "tcp:127.0.0.1:4711")
+      return vim.fn.input("Target (tcp:HOST:PORT or serial:DEVICE@BAUD): ", "tcp:127.0.0.1:5700")
     end,
   },
 }

@@ -117,6 +117,7 @@ fn what_does_not_exist_or_does_not_fit_ends_with_2_before_anything_runs() {
     let folder = counter();
     for (option, value, said) in [
         ("--print", "NOBODY", "NOBODY"),
+        ("--print", "CUONT", "did you mean COUNT?"),
         ("--print", "COUNT,FLOAT.COUNT", "FLOAT"),
         ("--print", "ROOM", "ROOM"),
         ("--set", "NOBODY=1", "NOBODY"),

@@ -8,7 +8,7 @@ use super::definition::{Flags, MacroDefinition, StackFlag, is};
 use super::table::is_instruction;
 use crate::catalogue::{self, Access, Entry, EntryKind, OperandKind};
 use crate::database::{self, Db, NameRef, Project, Section};
-use crate::diagnostics::rules::{declarations, macros as rules, operands, structure, syntax};
+use crate::diagnostics::rules::{declarations, macros as rules, operands, structure};
 use crate::diagnostics::{Finding, Rule};
 use crate::semantics::analysis::SectionAnalysis;
 use crate::semantics::calls::flag_finding;
@@ -202,17 +202,7 @@ impl BodyReader<'_> {
             return;
         }
         let names = catalogue::entries().filter(|entry| is_instruction(entry.name)).map(|entry| entry.name);
-        let near = suggest::nearest(&operation.text, names);
-        let message = match near {
-            Some(near) => format!("{} is no instruction; did you mean {near}?", operation.text),
-            None => format!("{} is neither an instruction nor a macro of this project", operation.text),
-        };
-        let mut finding =
-            Finding::new(&syntax::UNKNOWN_INSTRUCTION, self.line, operation.columns.clone(), message);
-        if let Some(near) = near {
-            finding = finding.replace(format!("write {near}"), operation.columns.clone(), near);
-        }
-        self.out.findings.push(finding);
+        self.out.findings.push(suggest::unknown_instruction(self.line, operation, names));
     }
 
     /// Words that open or close something, and directives that belong outside of macros.
@@ -298,8 +288,7 @@ impl BodyReader<'_> {
 
     /// Parameters behind TMAC., and other names.
     fn operand(&mut self, entry: Option<&'static Entry>, index: usize, operand: &Expr) {
-        let mut names = Vec::new();
-        names_of(operand, &mut names);
+        let names = operand.names();
         let covered = names.iter().position(|name| name.text.eq_ignore_ascii_case(TMAC));
         let bare = entry.is_none_or(Entry::is_assembler);
         let is_parameter =
@@ -441,22 +430,6 @@ impl BodyReader<'_> {
 /// Directives that belong outside of macros.
 fn is_directive(entry: &Entry) -> bool {
     entry.name.ends_with("_T_MACRO") || entry.name == "T_INCLUDE" || entry.name == "DEBUG"
-}
-
-fn names_of<'a>(expr: &'a Expr, found: &mut Vec<&'a Name>) {
-    match &expr.kind {
-        ExprKind::Name(name) => found.push(name),
-        ExprKind::Sign { operand: inner, .. } | ExprKind::Parens(inner) => names_of(inner, found),
-        ExprKind::Sum { left, right, .. } | ExprKind::Dot { left, right } => {
-            names_of(left, found);
-            names_of(right, found);
-        }
-        ExprKind::Index { base, index } => {
-            names_of(base, found);
-            names_of(index, found);
-        }
-        _ => {}
-    }
 }
 
 /// What an instruction does with the names of an operand.

@@ -7,7 +7,7 @@
 //! operand    = "MECH(" mechanism ")" | "MESSAGE(" number ")" | real | text | expression of the debugger
 //! ```
 
-use technol_analysis::expression::{ExpressionError, Target, nearest, resolve};
+use technol_analysis::expression::{ExpressionError, Target, resolve};
 
 use super::{Clause, Comparison, Condition, Mistake, Names, Operand, Side, width};
 use crate::test::state::Wanted;
@@ -184,12 +184,7 @@ impl Operand {
                     ExpressionError::Unexpected(column, _) => *column,
                     _ => 0,
                 };
-                let near = match &error {
-                    ExpressionError::Unknown(name) => nearest(names.debug, name),
-                    _ => None,
-                };
-                let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
-                wrong(at + column, format!("{error}{near}"))
+                wrong(at + column, error.to_string())
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Reading a step.
 
-use technol_analysis::expression::{Assignment, nearest, resolve};
+use technol_analysis::expression::{Assignment, resolve};
 use toml::de::{DeTable, DeValue};
 
 use super::super::condition::{Condition, Mistake, Side};
@@ -162,9 +162,7 @@ impl Reader<'_> {
         let target = match resolve(self.names.debug, None, name) {
             Ok(target) => target.in_memory(self.names.program),
             Err(error) => {
-                let near =
-                    nearest(self.names.debug, name).map_or(String::new(), |n| format!("; did you mean {n}?"));
-                source.error(entry.at, format!("{error}{near}"));
+                source.error(entry.at, error.to_string());
                 return None;
             }
         };

@@ -65,11 +65,6 @@ impl Line {
         Line { options, random, free_at: 0, burst_left: 0, travelling, cut, bytes: 0, frames: 0 }
     }
 
-    /// What goes wrong from now on.
-    pub fn set_faults(&mut self, faults: Faults) {
-        self.options.faults = faults;
-    }
-
     /// Hands bytes over at `now` (microseconds). They go out behind what was handed over before.
     pub fn send(&mut self, now: u64, bytes: &[u8]) {
         self.bytes += bytes.len() as u64;
