@@ -447,7 +447,7 @@ fn the_control_reports_errors_of_its_buses_by_itself() {
     assert_eq!(told, expected);
     let on_screen = plc.control().board().transient().next().map(|message| message.number);
     assert_eq!(on_screen, Some(4204), "the first is to be confirmed");
-    let shown = plc.control().board().transient().nth(2).cloned().expect("three messages");
+    let shown = plc.control().board().transient().nth(2).copied().expect("three messages");
     let text = shown.text(plc.control().data());
     assert_eq!(String::from_utf8_lossy(&text), "CAN drive 3 reports an error, register 1, code 4310");
 }
