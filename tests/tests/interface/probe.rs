@@ -55,6 +55,6 @@ const VALUES: [&[u8]; 6] =
 /// Something else happens in the scene when these bits have another value all the time, or from its middle on.
 pub(crate) fn acts(scene: &Scene, baseline: &Track<'_>, bits: &Bits) -> bool {
     [0, scene.cycles * 10].into_iter().any(|from| {
-        VALUES.iter().any(|value| !scene.runs_alike(baseline, &Force { from, bits: &bits.given(value) }))
+        VALUES.iter().any(|value| !baseline.is_the_same_with(&Force { from, bits: &bits.given(value) }))
     })
 }

@@ -116,7 +116,7 @@ impl Scene {
         let mut play = self.begin();
         let mut moved = vec![0; SYSTEM];
         play.simulation.start(true);
-        let before = self.initial(&play);
+        let before = play.initial();
         play.tick();
         mark_changes(&mut moved, &before, play.memory());
         let mut track = Track { moments: Vec::new(), begin: play.clone(), end: (0, 0), moved };
@@ -144,17 +144,13 @@ impl Scene {
         }
         play.simulation
     }
+}
 
-    /// Memory as the image has it; what the control writes at power-on comes on top.
-    fn initial(&self, play: &Play<'_>) -> Vec<u8> {
-        let alone = Simulation::new(play.simulation.runtime().program().clone(), None).expect("a program");
-        alone.runtime().memory()[..SYSTEM].to_vec()
-    }
-
+impl Track<'_> {
     /// The same happens while some bits are forced, these bits apart.
-    pub(crate) fn runs_alike(&self, baseline: &Track<'_>, force: &Force<'_>) -> bool {
-        let mut play = baseline.begin.clone();
-        for (millis, (memory, outside)) in (0..).zip(&baseline.moments) {
+    pub(crate) fn is_the_same_with(&self, force: &Force<'_>) -> bool {
+        let mut play = self.begin.clone();
+        for (millis, (memory, outside)) in (0..).zip(&self.moments) {
             play.act(millis);
             if millis >= force.from {
                 play.force(force);
@@ -168,7 +164,7 @@ impl Scene {
                 return false;
             }
         }
-        play.end() == baseline.end
+        play.end() == self.end
     }
 }
 
@@ -190,6 +186,12 @@ fn mark_changes(moved: &mut [u8], before: &[u8], after: &[u8]) {
 }
 
 impl Play<'_> {
+    /// Memory as the image has it; what the control writes at power-on comes on top.
+    fn initial(&self) -> Vec<u8> {
+        let alone = Simulation::new(self.simulation.runtime().program().clone(), None).expect("a program");
+        alone.runtime().memory()[..SYSTEM].to_vec()
+    }
+
     fn memory(&self) -> &[u8] {
         &self.simulation.runtime().memory()[..SYSTEM]
     }

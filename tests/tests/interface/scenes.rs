@@ -124,9 +124,9 @@ fn blocks() -> Scene {
                   [[block]]\nm = [19, 43, 1]\nmotion-ms = 100\n\
                   [[block]]\nm = [44, 2]\nmode = 'reference'\nmotion-ms = 20\n\
                   [[block]]\nat-cycle = 74\nm = [30]\nmode = 'central-annulment'\nmotion-ms = 20\n";
-    let groups = [(91, 4), (92, 10), (93, 11), (94, 12), (95, 13), (96, 14)];
-    let groups: String =
-        groups.iter().map(|(m, group)| format!("[[m-function]]\nnumber = {m}\ngroup = {group}\n")).collect();
+    let groups = [4, 10, 11, 12, 13, 14];
+    let groups =
+        each(0..=5, |n| format!("[[m-function]]\nnumber = {}\ngroup = {}\n", 91 + n, groups[n as usize]));
     Scene {
         machine: format!(
             "[control]\nconditional-stop = true\n{groups}{}{others}[[spindle]]\nport = 1\ngear = [{{ max-speed = 1000 }}]\n",
