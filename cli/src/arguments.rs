@@ -221,6 +221,9 @@ pub(crate) enum LinkCommand {
     Log {
         /// The recording
         file: PathBuf,
+        /// Image of the program that ran, from `technol build`: watched values then have their names
+        #[arg(long, value_name = "IMAGE")]
+        program: Option<PathBuf>,
     },
 }
 

@@ -9,6 +9,7 @@ use crate::arguments::{DevicesArguments, Format, LinkCommand, LinkTestArguments}
 use crate::exit::{self, Failure, Outcome};
 use crate::out::say;
 use crate::remote::Remote;
+use crate::target::read_image;
 
 /// Questions that measure the round trip.
 const ROUND_TRIPS: usize = 40;
@@ -20,10 +21,18 @@ const MOST_ECHO: usize = 4000;
 pub(crate) fn link(command: &LinkCommand) -> Outcome {
     match command {
         LinkCommand::Test(arguments) => test(arguments),
-        LinkCommand::Log { file } => {
+        LinkCommand::Log { file, program } => {
+            let image = program.as_deref().map(read_image).transpose()?;
+            let debug = image.as_ref().and_then(|image| image.debug.as_ref());
+            if let (Some(program), None) = (program, debug) {
+                return Err(Failure::usage(format!(
+                    "{}: it has no debug information; name the image that `technol build` made",
+                    program.display()
+                )));
+            }
             let text = std::fs::read_to_string(file)
                 .map_err(|e| Failure::usage(format!("{}: {e}", file.display())))?;
-            let text = technol_target::text_of_recording(&text)
+            let text = technol_target::text_of_recording(&text, debug)
                 .map_err(|e| Failure::usage(format!("{}: {e}", file.display())))?;
             for line in text.lines() {
                 say!("{line}");

@@ -97,6 +97,12 @@ pub(crate) fn behind(ports: &Ports, shown: &Shown) -> Result<PortBits, String> {
     }
 }
 
+/// The port behind something, with its masks: what is forced of a port is shown of its only copy, too.
+pub(crate) fn forcible(ports: &Ports, shown: &Shown) -> Option<(PortBits, (Addr, Addr))> {
+    let bits = behind(ports, shown).ok()?;
+    Some((bits, masks(bits.port)?))
+}
+
 /// Whether something is a bit that can be forced.
 pub(crate) fn is_on_port(ports: &Ports, shown: &Shown) -> bool {
     matches!(shown, Shown::Bit { .. }) && behind(ports, shown).is_ok()
@@ -124,15 +130,23 @@ fn of_masks(port: Addr, low: u8, high: u8) -> impl Iterator<Item = Forced> {
     })
 }
 
+/// Which of some bits of a port the masks of that port force.
+pub(crate) fn forced_of(bits: PortBits, low: u8, high: u8) -> Vec<Forced> {
+    of_masks(bits.port, low & bits.mask, high & bits.mask).collect()
+}
+
 /// The value as it is shown, with what is forced of it. It can still be typed back.
-pub(crate) fn marked(shown: &Shown, memory: &MemoryView, text: String) -> String {
-    let Some((bits, (low, high))) = port_of(shown).and_then(|bits| Some((bits, masks(bits.port)?))) else {
-        return text;
-    };
-    let mask = |addr: Addr| memory.number(addr, 1) as u8 & bits.mask;
-    let forced: Vec<Forced> = of_masks(bits.port, mask(low), mask(high)).collect();
+pub(crate) fn marked(ports: &Ports, shown: &Shown, memory: &MemoryView, text: String) -> String {
+    let Some((bits, (low, high))) = forcible(ports, shown) else { return text };
+    let mask = |addr: Addr| memory.number(addr, 1) as u8;
+    let forced = forced_of(bits, mask(low), mask(high));
+    with_mark(text, bits.mask == 0xFF, &forced)
+}
+
+/// A value with what is forced of it; `whole`: it is a port and not one of its bits.
+pub(crate) fn with_mark(text: String, whole: bool, forced: &[Forced]) -> String {
     let Some(first) = forced.first() else { return text };
-    if !matches!(shown, Shown::Bit { .. }) {
+    if whole {
         let list: Vec<String> = forced.iter().map(|f| format!(".{}={}", f.bit, u8::from(f.value))).collect();
         return format!("{text} (forced {})", list.join(" "));
     }
@@ -190,10 +204,20 @@ mod tests {
             (word, "5 (0005h)", "5 (0005h)"),
             (Shown::Bit { addr: sample::INPUTS, bit: 0 }, "true", "true"),
         ] {
-            let text = marked(&shown, &memory, text.to_owned());
+            let text = marked(&Ports::default(), &shown, &memory, text.to_owned());
             assert_eq!(text, expected);
             assert!(!values::typed(&text).contains("forced"), "{text}");
         }
+    }
+
+    #[test]
+    fn copies_are_marked_as_their_port_is() {
+        let image = sample::image();
+        let ports = crate::ports::used(&image.program, image.debug.as_ref().unwrap());
+        let mut memory = MemoryView::default();
+        memory.add(&[(system::IN_FORCE_LOW, 1), (system::IN_FORCE_HIGH, 1)], &[1, 0]);
+        let marked = |bit| marked(&ports, &Shown::Bit { addr: sample::INPUTS, bit }, &memory, "true".into());
+        assert_eq!([marked(0), marked(1)], ["true (forced to 0)", "true"]);
     }
 
     #[test]

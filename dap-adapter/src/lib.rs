@@ -30,6 +30,7 @@ mod server;
 mod session;
 mod source_map;
 mod target_link;
+mod traced;
 mod transport;
 mod tree;
 mod values;

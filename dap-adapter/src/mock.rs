@@ -285,6 +285,7 @@ impl SampleSource for State {
             },
             rlo: true,
             dr: i64::from(self.memory[sample::COUNT as usize]),
+            dr_real: 0.0,
         }
     }
 }
@@ -297,7 +298,7 @@ impl State {
                 limits,
                 boot: 1,
                 status: self.status,
-                features: feature::STREAMS,
+                features: feature::STREAMS | feature::TRACED_REGISTERS,
             },
             Request::Status => Response::Status(self.status),
             Request::OnLinkLost(_) => Response::Done,

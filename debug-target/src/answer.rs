@@ -92,6 +92,7 @@ impl TargetCore {
                 | feature::RESUMED_DOWNLOAD
                 | feature::STREAMS
                 | feature::MACHINE_REGISTERS
+                | feature::TRACED_REGISTERS
                 | files,
         }
     }

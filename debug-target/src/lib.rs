@@ -23,6 +23,7 @@ mod listen;
 mod machine_file;
 mod part_program;
 mod pipe;
+mod recorded_streams;
 mod recording;
 mod sampling;
 mod serial;

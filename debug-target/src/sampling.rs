@@ -80,7 +80,17 @@ impl SampleSource for Seen<'_> {
             ran: if last.ran { Ran::Now } else { Ran::Before },
             rlo: last.rlo,
             dr: last.dr,
+            dr_real: last.dr_real.unwrap_or_default(),
         })
+    }
+}
+
+/// Lines begin with a statement.
+fn all_statements(pcs: impl IntoIterator<Item = u32>, simulation: &Simulation) -> Result<(), Failure> {
+    let statements = &simulation.runtime().program().statements;
+    match pcs.into_iter().find(|pc| !statements.contains(pc)) {
+        Some(unknown) => Err(Failure::NotFound(format!("statement at operation {unknown}"))),
+        None => Ok(()),
     }
 }
 
@@ -100,12 +110,8 @@ pub(crate) fn subscribe(
                 return Err(Failure::NotFound(format!("sequence {unknown}")));
             }
         }
-        Subject::Trace { pcs, .. } => {
-            let statements = &plc.program().statements;
-            if let Some(unknown) = pcs.iter().find(|pc| !statements.contains(pc)) {
-                return Err(Failure::NotFound(format!("statement at operation {unknown}")));
-            }
-        }
+        Subject::Trace { pcs, .. } => all_statements(pcs.iter().copied(), simulation)?,
+        Subject::Lines(lines) => all_statements(lines.iter().map(|line| line.pc), simulation)?,
     }
     let seen = Seen { cycle: 0, memory: plc.memory(), with: &Sampling::default() };
     streams.subscribe(subscription, max_payload, &seen)

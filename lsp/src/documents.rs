@@ -1,5 +1,7 @@
 //! The documents the editor has open: the texts are ours until they are closed.
 
+use std::collections::VecDeque;
+
 use ropey::Rope;
 use tower_lsp::ls_types::{TextDocumentContentChangeEvent, Uri};
 
@@ -7,6 +9,18 @@ use crate::positions::{self, Encoding};
 
 /// The instruction that makes another file part of the project.
 const INCLUDE: &str = "T_INCLUDE";
+
+/// Changes that are remembered, for one before them that comes late.
+const REMEMBERED: usize = 32;
+
+/// A change that was applied.
+#[derive(Clone, Debug)]
+struct Applied {
+    version: i32,
+    /// The text it was applied to; ropes share what they have in common.
+    before: Rope,
+    changes: Vec<TextDocumentContentChangeEvent>,
+}
 
 /// An open document.
 #[derive(Clone, Debug)]
@@ -17,24 +31,48 @@ pub(crate) struct Document {
     pub(crate) version: i32,
     /// Its text.
     pub(crate) text: Rope,
+    /// The last changes, by version.
+    recent: VecDeque<Applied>,
 }
 
 impl Document {
     /// A document as it was opened.
     pub(crate) fn new(uri: Uri, version: i32, text: &str) -> Document {
-        Document { uri, version, text: Rope::from_str(text) }
+        Document { uri, version, text: Rope::from_str(text), recent: VecDeque::new() }
     }
 
     /// Applies the changes in their order; each one's range is meant in the text the one before left.
     /// Returns whether a line that includes a file was touched.
+    ///
+    /// Some clients (Helix 25.01 when keys come fast) let one message overtake another. The version says where a late
+    /// one belongs: what overtook it is taken back and applied again behind it.
     pub(crate) fn change(
         &mut self,
         version: i32,
         changes: &[TextDocumentContentChangeEvent],
         encoding: Encoding,
     ) -> bool {
+        let in_order = self.recent.partition_point(|it| it.version <= version);
+        let overtook = self.recent.split_off(in_order);
+        if let Some(first) = overtook.front() {
+            self.text = first.before.clone();
+        }
+        let mut includes = self.apply(version, changes.to_vec(), encoding);
+        for it in overtook {
+            includes |= self.apply(it.version, it.changes, encoding);
+        }
+        includes
+    }
+
+    fn apply(
+        &mut self,
+        version: i32,
+        changes: Vec<TextDocumentContentChangeEvent>,
+        encoding: Encoding,
+    ) -> bool {
+        let before = self.text.clone();
         let mut includes = false;
-        for change in changes {
+        for change in &changes {
             let Some(range) = change.range else {
                 self.text = Rope::from_str(&change.text);
                 includes = true; // nobody looked
@@ -49,6 +87,10 @@ impl Document {
             includes |= self.includes_at(start, start + change.text.chars().count());
         }
         self.version = version;
+        self.recent.push_back(Applied { version, before, changes });
+        if self.recent.len() > REMEMBERED {
+            self.recent.pop_front();
+        }
         includes
     }
 
@@ -95,6 +137,39 @@ mod tests {
         let whole = TextDocumentContentChangeEvent { range: None, range_length: None, text: "WR B".into() };
         it.change(2, &[whole], Encoding::Utf8);
         assert_eq!(it.text.to_string(), "WR B");
+    }
+
+    /// As Helix 25.01 sent `NOBODY` when its keys came at once.
+    #[test]
+    fn changes_that_overtook_each_other_make_the_text_that_was_typed() {
+        let typed = [(2, "N"), (3, "O"), (4, "B"), (5, "O"), (6, "D"), (7, "Y")];
+        for order in [[2, 3, 4, 6, 7, 5], [7, 6, 5, 4, 3, 2], [3, 2, 5, 4, 7, 6], [2, 3, 4, 5, 6, 7]] {
+            let mut it = document("LDR  ;");
+            for version in order {
+                let (_, text) = typed.iter().find(|(v, _)| *v == version).unwrap();
+                let place = (0, 5 + version as u32 - 2);
+                it.change(version, &[edit(place, place, text)], Encoding::Utf16);
+            }
+            assert_eq!((it.text.to_string().as_str(), it.version), ("LDR  NOBODY;", 7), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn a_late_change_of_the_whole_text_does_not_undo_what_came_after_it() {
+        let mut it = document("LDR A");
+        it.change(3, &[edit((0, 3), (0, 3), "x")], Encoding::Utf8);
+        let whole = TextDocumentContentChangeEvent { range: None, range_length: None, text: "WR B".into() };
+        it.change(2, &[whole], Encoding::Utf8);
+        assert_eq!((it.text.to_string().as_str(), it.version), ("WR xB", 3));
+    }
+
+    #[test]
+    fn only_the_last_changes_are_remembered() {
+        let mut it = document("");
+        for version in 2..200 {
+            it.change(version, &[edit((0, 0), (0, 0), "x")], Encoding::Utf8);
+        }
+        assert_eq!((it.recent.len(), it.text.len_chars()), (REMEMBERED, 198));
     }
 
     #[test]

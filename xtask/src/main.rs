@@ -40,6 +40,9 @@ const SAME_AGAIN: &[&str] =
 const MANY_FRAMES: &[&str] = &["test", "--release", "--package=technol-wire", "--test=link", "million"];
 const LONG_SESSION: &[&str] = &["test", "--release", "--package=technol-tests", "--test=link", "session"];
 
+/// Programs whose operations mean something else, in each way that is known; a test has to notice each.
+const MUTANTS: &[&str] = &["test", "--release", "--package=technol-tests", "--test=chain", "coverage"];
+
 fn bench() -> Result<(), String> {
     run::cargo("benchmarks", BENCHMARKS)?;
     for (what, arguments) in [("a million frames", MANY_FRAMES), ("a long session", LONG_SESSION)] {
@@ -47,7 +50,9 @@ fn bench() -> Result<(), String> {
         run::step(&format!("{what} over a bad cable"), link.env("TECHNOL_FRAMES", "1000000"))?;
     }
     let mut lathe = run::command(SAME_AGAIN);
-    run::step("a million cycles of the lathe", lathe.env("TECHNOL_CYCLES", "1000000"))
+    run::step("a million cycles of the lathe", lathe.env("TECHNOL_CYCLES", "1000000"))?;
+    let mut mutants = run::command(MUTANTS);
+    run::step("operations that mean something else", mutants.env("TECHNOL_MUTANTS", "all"))
 }
 
 fn main() -> ExitCode {

@@ -9,6 +9,13 @@ const PACKAGES: &[(&str, &str, &[&str])] = &[
     ("debug adapter, driven by Microsoft's test client", "tests/debug-adapter", &["test"]),
 ];
 
+/// What the tests in real editors need, with the variable that names another program, and what is skipped without it.
+const EDITORS: &[(&str, &str, &str)] = &[
+    ("nvim", "TECHNOL_NVIM", "the test in Neovim: nvim (0.10 or newer) is not installed"),
+    ("hx", "TECHNOL_HX", "the test in Helix: hx is not installed"),
+    ("tmux", "TECHNOL_TMUX", "the test in Helix: tmux is not installed"),
+];
+
 /// Runs all checks and tests, cheapest first, and says at the end what was skipped.
 pub(crate) fn test() -> Result<(), String> {
     let mut skipped = Vec::new();
@@ -35,6 +42,12 @@ pub(crate) fn test() -> Result<(), String> {
         }
     } else {
         skipped.push("the editors' tests: Node.js (20 or newer) with npm is not installed");
+    }
+    for (name, variable, what) in EDITORS {
+        let program = std::env::var(variable).unwrap_or_else(|_| (*name).to_owned());
+        if !available(&program, &[if *name == "tmux" { "-V" } else { "--version" }]) {
+            skipped.push(what);
+        }
     }
     println!();
     for what in &skipped {

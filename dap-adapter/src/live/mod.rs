@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use technol_wire::Sample;
-use technol_wire::message::{Item, ItemKind, Mode, SequenceState, Subject, Subscription};
+use technol_wire::message::{Item, ItemKind, Mode, SequenceState, Subject, Subscription, TracedRegister};
 
 /// A sample that comes this soon after something was written may be older than that.
 const WRITTEN: Duration = Duration::from_millis(60);
@@ -38,7 +38,9 @@ pub(crate) struct Line {
     /// In the last cycle; if not, the registers are those of the time when it did.
     pub(crate) ran: bool,
     pub(crate) rlo: bool,
-    pub(crate) dr: u32,
+    /// Which register `data` is.
+    pub(crate) register: TracedRegister,
+    pub(crate) data: u64,
 }
 
 struct Stream {
@@ -182,15 +184,29 @@ impl Live {
     /// The registers behind the line that begins with this operation; none if it did not run since it is traced.
     pub(crate) fn line(&self, pc: u32) -> Option<Told<Option<Line>>> {
         for stream in self.streams.values() {
-            let Subject::Trace { pcs, .. } = &stream.subscription.subject else { continue };
-            let Some(at) = pcs.iter().position(|n| *n == pc) else { continue };
+            let Some((at, register)) = traced(&stream.subscription.subject, pc) else { continue };
             let sample = stream.sample.as_ref()?;
-            let [known, ran, rlo, dr] = sample.values.get(at * 4..at * 4 + 4)? else { return None };
-            let line = Line { ran: *ran == 1, rlo: *rlo == 1, dr: *dr as u32 };
-            let value = (*known == 1).then_some(line);
+            let [known, ran, rlo, data] = *sample.values.get(at * 4..at * 4 + 4)? else { return None };
+            let line = Line { ran: ran == 1, rlo: rlo == 1, register, data };
+            let value = (known == 1).then_some(line);
             return Some(Told { value, stale: stream.stale, cycle: sample.cycle });
         }
         None
+    }
+}
+
+/// The place of a line in the samples of a stream, and which register they tell.
+fn traced(subject: &Subject, pc: u32) -> Option<(usize, TracedRegister)> {
+    match subject {
+        Subject::Trace { pcs, wide } => {
+            let register = if *wide { TracedRegister::Dr64 } else { TracedRegister::Dr32 };
+            pcs.iter().position(|n| *n == pc).map(|at| (at, register))
+        }
+        Subject::Lines(lines) => {
+            let at = lines.iter().position(|line| line.pc == pc)?;
+            Some((at, lines[at].register))
+        }
+        Subject::Variables(_) | Subject::Mechanisms(_) => None,
     }
 }
 
@@ -199,7 +215,7 @@ fn news(subscription: &Subscription, changed: bool) -> News {
         Subject::Variables(_) => News { variables: changed, ..News::default() },
         // Time passes for those that wait.
         Subject::Mechanisms(_) => News { mechanisms: true, ..News::default() },
-        Subject::Trace { .. } => News { trace: changed, ..News::default() },
+        Subject::Trace { .. } | Subject::Lines(_) => News { trace: changed, ..News::default() },
     }
 }
 

@@ -1,7 +1,7 @@
 //! Spreading what is watched over the streams of a target and over what the line carries.
 
 use technol_wire::Layout;
-use technol_wire::message::{Item, MOST_STREAMS, Subject, Subscription};
+use technol_wire::message::{Item, MOST_STREAMS, Subject, Subscription, TracedLine, TracedRegister};
 
 /// Length of a cycle in milliseconds.
 pub(crate) const CYCLE_MS: u32 = 20;
@@ -19,8 +19,9 @@ pub(crate) struct Wishes {
     /// Looked at lately.
     pub(crate) interest: Vec<Item>,
     pub(crate) mechanisms: Vec<u16>,
-    /// First operations of lines.
-    pub(crate) trace: Vec<u32>,
+    pub(crate) trace: Vec<TracedLine>,
+    /// The target tells one register of each line, whichever it is ([`Subject::Lines`]).
+    pub(crate) any_register: bool,
 }
 
 /// Cycles between two samples of what was only looked at.
@@ -43,14 +44,22 @@ pub(crate) struct Plan {
 /// Plans for frames of that much payload on a line of that many bytes a second (`None`: it is fast).
 pub(crate) fn plan(wishes: &Wishes, max_payload: u16, line: Option<u32>) -> Plan {
     let mut plan = Plan { period: wishes.period.max(1), trace_period: 1, ..Plan::default() };
-    let wide = |pcs: &[u32]| Subject::Trace { pcs: pcs.to_vec(), wide: false };
-    plan.pack(&wishes.trace, 1, max_payload, 2, wide);
+    plan.pack(&wishes.trace, 1, max_payload, 2, |lines| trace(lines, wishes.any_register));
     plan.pack(&wishes.watches, plan.period, max_payload, 4, |i| Subject::Variables(i.to_vec()));
     plan.pack(&wishes.mechanisms, MECHANISMS, max_payload, 1, |m| Subject::Mechanisms(m.to_vec()));
     let left = usize::from(MOST_STREAMS) - plan.subscriptions.len();
     plan.pack(&wishes.interest, INTEREST, max_payload, left, |i| Subject::Variables(i.to_vec()));
     plan.slow_down(line);
     plan
+}
+
+/// A target that tells DR only tells all of it when some line needs that.
+fn trace(lines: &[TracedLine], any_register: bool) -> Subject {
+    if any_register {
+        return Subject::Lines(lines.to_vec());
+    }
+    let wide = lines.iter().any(|line| line.register != TracedRegister::Dr32);
+    Subject::Trace { pcs: lines.iter().map(|line| line.pc).collect(), wide }
 }
 
 impl Plan {
@@ -154,11 +163,35 @@ mod tests {
         assert_eq!(plan(&wishes, 4000, None).period, 1);
     }
 
+    fn lines(count: u32, register: TracedRegister) -> Vec<TracedLine> {
+        (0..count).map(|pc| TracedLine { pc, register }).collect()
+    }
+
     #[test]
     fn a_trace_of_forty_lines_goes_each_cycle() {
-        let wishes = Wishes { trace: (0..40).collect(), ..Wishes::default() };
-        let plan = plan(&wishes, 240, Some(11_520));
-        assert_eq!((plan.subscriptions.len(), plan.trace_period), (1, 1));
+        for (register, streams) in
+            [(TracedRegister::Dr32, 1), (TracedRegister::Dr64, 2), (TracedRegister::Real, 2)]
+        {
+            let trace = lines(40, register);
+            let wishes = Wishes { trace, any_register: true, ..Wishes::default() };
+            let plan = plan(&wishes, 240, Some(11_520));
+            assert_eq!((plan.subscriptions.len(), plan.trace_period), (streams, 1), "{register:?}");
+        }
+    }
+
+    #[test]
+    fn a_target_that_tells_dr_only_tells_all_of_it_where_that_is_needed() {
+        let subject = |register| {
+            let mut trace = lines(2, TracedRegister::Dr32);
+            trace.push(TracedLine { pc: 7, register });
+            let wishes = Wishes { trace, ..Wishes::default() };
+            plan(&wishes, 240, None).subscriptions.remove(0).subject
+        };
+        for (register, wide) in
+            [(TracedRegister::Dr32, false), (TracedRegister::Dr64, true), (TracedRegister::Real, true)]
+        {
+            assert_eq!(subject(register), Subject::Trace { pcs: vec![0, 1, 7], wide });
+        }
     }
 
     #[test]
@@ -168,7 +201,8 @@ mod tests {
             period: 5,
             interest: words(300),
             mechanisms: (0..100).collect(),
-            trace: (0..500).collect(),
+            trace: lines(500, TracedRegister::Dr32),
+            any_register: true,
         };
         for max_payload in [64, 240, 4000] {
             let plan = plan(&wishes, max_payload, Some(11_520));
@@ -183,6 +217,7 @@ mod tests {
                     Subject::Variables(items) => items.len(),
                     Subject::Mechanisms(sequences) => sequences.len(),
                     Subject::Trace { pcs, .. } => pcs.len(),
+                    Subject::Lines(lines) => lines.len(),
                 };
             }
             assert_eq!(there + plan.left_out, 1900, "{max_payload}");

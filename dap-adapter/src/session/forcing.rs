@@ -39,12 +39,21 @@ pub(super) struct Forcing {
     ours: BTreeMap<(Addr, u8), Option<bool>>,
     /// Bits that were forced, by whomever, when the masks were last looked at.
     seen: usize,
+    /// Views of the client do not know what is forced now.
+    untold: bool,
+    /// What they were told last.
+    told: Vec<Forced>,
 }
 
 impl Forcing {
     /// Something has to be done at a start and at the end.
     pub(super) fn is_active(&self) -> bool {
         !self.ours.is_empty()
+    }
+
+    /// What is forced may have changed.
+    pub(super) fn look_again(&mut self) {
+        self.untold = true;
     }
 
     pub(super) fn forget(&mut self) {
@@ -101,7 +110,12 @@ impl Session {
     /// `technol/forced`: what is forced.
     pub(super) fn forced(&mut self, _request: &Request) -> Answer {
         let forced = self.look_at_masks()?;
-        let ports = &self.debuggee()?.ports;
+        Ok(json!({ "forced": self.list_of(&forced) }))
+    }
+
+    fn list_of(&self, forced: &[Forced]) -> Vec<Value> {
+        let unnamed = Ports::default();
+        let ports = self.debuggee.as_ref().map_or(&unnamed, |d| &d.ports);
         let bits = forced.iter().map(|f| {
             json!({
                 "name": format!("{}.{}", ports.name(f.port), f.bit),
@@ -111,8 +125,25 @@ impl Session {
                 "both": f.both,
             })
         });
-        let bits: Vec<Value> = bits.collect();
-        Ok(json!({ "forced": bits }))
+        bits.collect()
+    }
+
+    /// Event `technol/forced`, for clients with views of their own: all that is forced, when it is no longer what they
+    /// were told.
+    pub(super) fn tell_changed_forces(&mut self) {
+        let possible = matches!(self.phase, Phase::Running | Phase::Stopped);
+        if !self.forcing.untold || !possible || !self.watching.has_views() {
+            return;
+        }
+        // A link that is lost tells so itself; when it is back, the masks are looked at again.
+        let looked = self.look_at_masks();
+        self.forcing.untold = false;
+        let Ok(forced) = looked else { return };
+        if forced != self.forcing.told {
+            let body = json!({ "forced": self.list_of(&forced) });
+            self.out.custom("technol/forced", &body);
+            self.forcing.told = forced;
+        }
     }
 
     /// Holds what has this name at a value.
@@ -149,6 +180,7 @@ impl Session {
             self.forcing.ours.insert((bits.port, bit), Some(value >> bit & 1 == 1));
         }
         self.values_changed();
+        self.forcing.look_again();
         let label = self.label(bits);
         let shown = if bits.mask == 0xFF { value.to_string() } else { u8::from(value != 0).to_string() };
         Ok(format!("{label} is forced to {shown}"))
@@ -164,6 +196,7 @@ impl Session {
         for bit in bits.numbers() {
             self.forcing.ours.remove(&(bits.port, bit));
         }
+        self.forcing.look_again();
         self.values_changed();
         Ok(if was { format!("{label} is not forced any more") } else { format!("{label} was not forced") })
     }
@@ -181,6 +214,7 @@ impl Session {
             self.forcing.ours.retain(|(ours, _), _| *ours != port);
         }
         self.forcing.seen = 0;
+        self.forcing.look_again();
         self.values_changed();
         Ok(match forced.len() {
             0 => "nothing was forced".into(),
@@ -225,6 +259,14 @@ impl Session {
         forcing::behind(&self.debuggee()?.ports, &shown).map_err(|why| wrong(&why))
     }
 
+    /// `P1IN.3`, or the port.
+    pub(super) fn port_name(&self, bits: PortBits) -> String {
+        let unnamed = Ports::default();
+        let ports = self.debuggee.as_ref().map_or(&unnamed, |d| &d.ports);
+        let port = ports.name(bits.port);
+        if bits.mask == 0xFF { port } else { format!("{port}.{}", bits.mask.trailing_zeros()) }
+    }
+
     /// `P1IN.3 (DOOR)`, or the port.
     fn label(&self, bits: PortBits) -> String {
         let unnamed = Ports::default();
@@ -243,6 +285,7 @@ impl Session {
         plan.want(MASKS, MASKS_LEN);
         let forced = forcing::forced(self.read(plan)?.bytes(MASKS, MASKS_LEN));
         self.forcing.seen = forced.len();
+        self.forcing.untold |= forced != self.forcing.told;
         Ok(forced)
     }
 
@@ -274,6 +317,7 @@ impl Session {
             }
         }
         self.forcing.ours.retain(|_, value| value.is_some());
+        self.forcing.look_again();
         Ok(())
     }
 

@@ -124,7 +124,9 @@ impl Session {
                         _ => "not on the target".into(),
                     }
                 }
-                ref shown => forcing::marked(shown, &facts.memory, plain_text(shown, &facts, hex)),
+                ref shown => {
+                    forcing::marked(&debuggee.ports, shown, &facts.memory, plain_text(shown, &facts, hex))
+                }
             })
             .collect())
     }
@@ -144,7 +146,10 @@ impl Session {
                 Shown::Mechanism(_) | Shown::Detail(..) => sequences = true,
             }
         }
-        for (low, high) in rows.iter().filter_map(|row| forcing::masks(forcing::port_of(&row.shown)?.port)) {
+        let ports = &self.debuggee()?.ports;
+        let masks = |row: &Row| Some(forcing::forcible(ports, &row.shown)?.1);
+        let masks: Vec<(Addr, Addr)> = rows.iter().filter_map(masks).collect();
+        for (low, high) in masks {
             self.want(low, 1, &mut plan, &mut known);
             self.want(high, 1, &mut plan, &mut known);
         }

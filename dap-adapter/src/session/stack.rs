@@ -16,6 +16,7 @@ use crate::mechanisms;
 use crate::request::Request;
 use crate::tree::Node;
 
+use super::phase::Phase;
 use super::{Answer, Debuggee, Session, Stop, body, sources};
 
 /// The thread that stands for the modules.
@@ -66,7 +67,10 @@ impl Session {
         for mechanism in &debuggee.debug.mechanisms {
             let now = sequences.iter().find(|s| s.sequence == mechanism.sequence);
             if now.is_some_and(|s| s.active) || stopped == Some(mechanism.sequence) {
-                let name = mechanisms::thread_name(mechanism, now);
+                // VS Code keeps the names for as long as the program runs; its live view has the states.
+                let keeps = self.client.menus && self.phase == Phase::Running;
+                let name =
+                    if keeps { mechanism.name.clone() } else { mechanisms::thread_name(mechanism, now) };
                 threads.push(Thread { id: thread_of_sequence(Some(mechanism.sequence)), name });
             }
         }

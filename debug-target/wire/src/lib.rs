@@ -29,6 +29,8 @@ mod timing;
 pub use arrived::Arrived;
 pub use frame::{Frame, FrameDecoder, FrameError};
 pub use host::{HostEvent, HostSession, LossReason, Ticket};
-pub use stream::{Freshness, Layout, MechanismSample, Ran, Sample, SampleSource, Streams, TraceSample};
+pub use stream::{
+    Freshness, Layout, MechanismSample, Ran, Sample, SampleDecoder, SampleSource, Streams, Taken, TraceSample,
+};
 pub use target::{TargetInput, TargetSession};
 pub use timing::Timing;

@@ -31,6 +31,8 @@ pub mod feature {
     pub const STREAMS: u32 = 1 << 4;
     /// [`Request::MachineRegisters`](super::Request::MachineRegisters).
     pub const MACHINE_REGISTERS: u32 = 1 << 5;
+    /// [`Subject::Lines`](super::Subject::Lines).
+    pub const TRACED_REGISTERS: u32 = 1 << 6;
 }
 
 /// First 16 bytes of the SHA-256 of the encoded program.
@@ -546,6 +548,28 @@ pub enum Subject {
         /// All 64 bits of DR, else the low 32.
         wide: bool,
     },
+    /// The same, with the register that each line works with.
+    Lines(Vec<TracedLine>),
+}
+
+/// A line whose registers a stream tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TracedLine {
+    /// Its first operation.
+    pub pc: u32,
+    /// What is told beside RLO.
+    pub register: TracedRegister,
+}
+
+/// A data register of a traced line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum TracedRegister {
+    /// The low 32 bits of DR.
+    Dr32,
+    /// All of DR.
+    Dr64,
+    /// DR_REAL, of a line that works with reals; 0 of another.
+    Real,
 }
 
 /// A piece of memory in a stream.

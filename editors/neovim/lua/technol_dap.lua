@@ -1,5 +1,14 @@
 -- Debugging with nvim-dap: call require("technol_dap") after nvim-dap is loaded.
-local dap = require("dap")
+local found, dap = pcall(require, "dap")
+if not found then
+  -- Neovim shows a Lua error as twenty lines of folders that were searched.
+  vim.notify(
+    "technol_dap: nvim-dap is not loaded, so TECHNOL programs can be edited but not debugged; "
+      .. "install https://github.com/mfussenegger/nvim-dap and call require(\"technol_dap\") after it",
+    vim.log.levels.WARN
+  )
+  return false
+end
 
 dap.adapters.technol = { type = "executable", command = "technol", args = { "dap" } }
 
@@ -30,3 +39,5 @@ dap.configurations.technol = {
     end,
   },
 }
+
+return true

@@ -12,6 +12,7 @@ const CHOICES: Record<string, readonly string[]> = {
   clock: ["real", "virtual"],
   build: ["ifStale", "always", "never"],
   download: ["ifStale", "always", "never"],
+  onLinkLost: ["runOn", "stayStopped", "stopPlc"],
 };
 
 /** The configuration to use, or what is wrong with it. */
@@ -57,7 +58,7 @@ function targetProblem(target: unknown, request: "launch" | "attach"): string | 
   if (typeof target === "string") {
     const tcp = /^tcp:(.+):(\d+)$/.exec(target);
     if (tcp !== null && Number(tcp[2]) >= 1 && Number(tcp[2]) <= 65535) return undefined;
-    if (/^serial:[^@]+(@[1-9]\d*)?$/.test(target)) return undefined;
+    if (/^serial:[^@]+(@[1-9]\d*(,rtscts)?)?$/.test(target)) return undefined;
   }
   return `${said}it can be embedded, tcp:HOST:PORT or serial:DEVICE@BAUD.`;
 }

@@ -19,8 +19,26 @@ export const FORCE_COMMANDS: Record<string, ForceRequest["value"]> = {
   "technol.removeForce": null,
 };
 
-/** What to ask the debug adapter; `undefined` when the row has no name that it knows. */
-export function forceRequest(menu: VariableMenu | undefined, value: ForceRequest["value"]): ForceRequest | undefined {
-  const name = menu?.variable?.evaluateName;
-  return name === undefined || name === "" ? undefined : { name, value };
+/** A name as it stands in the source: `DOOR`, `P1IN.2`, `IP1.B3`. */
+export const NAME = /[A-Za-z_?@][\w?@]*(\.[\w?@]+)?/;
+
+/** The name that a menu stands for: of a variable, or of a row of the live view. */
+export function nameInMenu(menu: VariableMenu | LiveRow | undefined): string | undefined {
+  const name =
+    (menu as LiveRow | undefined)?.watch?.port ??
+    (menu as LiveRow | undefined)?.bit?.name ??
+    (menu as VariableMenu | undefined)?.variable?.evaluateName;
+  return name === "" ? undefined : name;
+}
+
+/** A row of the live view, as far as it is of use here. */
+export interface LiveRow {
+  watch?: { port?: string };
+  bit?: { name: string };
+}
+
+/** What the user is asked when a command does not come from such a menu. */
+export function question(value: ForceRequest["value"]): string {
+  const what = value === null ? "let go" : `hold at ${value}`;
+  return `Bit of a port to ${what}: its name, or the name the program copies it from or to`;
 }

@@ -10,6 +10,10 @@ export interface Watch {
   greatest?: string;
   rises?: number;
   falls?: number;
+  /** The bit of a port that it is or is a copy of: it can be forced. */
+  port?: string;
+  /** What that bit is forced to. */
+  forced?: 0 | 1 | null;
 }
 
 export interface Mechanism {
@@ -42,6 +46,35 @@ export interface TraceEvent {
   lines: TracedLine[];
 }
 
+/** A bit of a port that is held at a value. */
+export interface ForcedBit {
+  name: string;
+  /** What the program calls it. */
+  symbol?: string | null;
+  value: 0 | 1;
+  /** By this session. */
+  own: boolean;
+  /** Both masks are set. */
+  both: boolean;
+}
+
+/** Body of the event `technol/forced`. */
+export interface ForcedEvent {
+  forced: ForcedBit[];
+}
+
+/** The text beside a forced bit. */
+export function forcedText(bit: ForcedBit): string {
+  const symbol = bit.symbol === undefined || bit.symbol === null ? "" : `${bit.symbol} `;
+  const both = bit.both ? ", which wins over forced to 1" : "";
+  return `${symbol}forced to ${bit.value}${both}${bit.own ? "" : " (not by this session)"}`;
+}
+
+/** What the menu of a watch offers. */
+export function watchContext(watch: Watch | undefined): string {
+  return watch?.port === undefined || watch.port === null ? "technolWatch" : "technolWatchPort";
+}
+
 export const MODES = ["value", "change", "extremes", "edges"] as const;
 export type Mode = (typeof MODES)[number];
 
@@ -61,7 +94,9 @@ export function watchText(watch: Watch): string {
 
 /** The text behind a traced line; a line that did not run in the last cycle shows what it left behind in grey. */
 export function traceText(line: TracedLine): { text: string; faint: boolean } {
-  return { text: line.error !== undefined ? "" : line.value ?? "…", faint: line.ran !== true || line.stale === true };
+  // An editor shows several spaces as one.
+  const text = (line.value ?? "…").replaceAll("  ", "\u00a0\u00a0");
+  return { text: line.error !== undefined ? "" : text, faint: line.ran !== true || line.stale === true };
 }
 
 /** What `technol/trace` answers: lines that cannot be traced have an error. */
@@ -75,6 +110,18 @@ export function withErrors(traced: readonly TracedLine[], answered: TraceAnswer[
     const about = answered.find((line) => line.path === it.path && line.line === it.line);
     return about === undefined ? it : { ...it, error: about.error ?? undefined };
   });
+}
+
+/** What VS Code tells of a selection; counted from 0. */
+export interface Selected {
+  start: { line: number };
+  end: { line: number; character: number };
+}
+
+/** The lines of a selection, counted from 1. One in front of which it ends is not part of it. */
+export function selectedLines({ start, end }: Selected): number[] {
+  const last = end.character === 0 && end.line > start.line ? end.line - 1 : end.line;
+  return Array.from({ length: last - start.line + 1 }, (_, n) => start.line + n + 1);
 }
 
 /** The lines traced after `changed` lines (1-based) of a file were chosen: traced if none of them was, else not. */

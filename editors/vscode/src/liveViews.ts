@@ -2,15 +2,26 @@
 
 import * as vscode from "vscode";
 import {
-  MODES, addWish, toggleLines, traceText, watchText, withErrors, type Mechanism, type Mode, type TraceAnswer, type TraceEvent,
-  type TracedLine, type Watch, type WatchEvent, type Wish,
+  MODES, addWish, forcedText, selectedLines, toggleLines, traceText, watchContext, watchText, withErrors, type ForcedBit, type ForcedEvent,
+  type Mechanism, type Mode, type TraceAnswer, type TraceEvent, type TracedLine, type Watch, type WatchEvent, type Wish,
 } from "./live";
+import { nameAtCursor } from "./forceMenu";
 
 const WISHES = "technol.live.wishes";
 /** Milliseconds between two values. */
 const PERIOD = 100;
 
-type Row = { kind: "watch"; wish: Wish; watch?: Watch } | { kind: "mechanisms" } | { kind: "mechanism"; mechanism: Mechanism };
+type Row =
+  | { kind: "watch"; wish: Wish; watch?: Watch }
+  | { kind: "allForced" }
+  | { kind: "forced"; bit: ForcedBit }
+  | { kind: "mechanisms" }
+  | { kind: "mechanism"; mechanism: Mechanism };
+
+/** Stands before what is only watched, so that names are below each other. */
+const WATCHED = new vscode.ThemeIcon("eye");
+/** Stands before what is forced. */
+const FORCED = new vscode.ThemeIcon("lock", new vscode.ThemeColor("list.warningForeground"));
 
 const MODE_TEXTS: Record<Mode, string> = {
   value: "its value",
@@ -42,6 +53,7 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
   private readonly decoration = vscode.window.createTextEditorDecorationType({ after: { margin: "0 0 0 3em" } });
   private wishes: Wish[];
   private told: WatchEvent = { watches: [] };
+  private forced: ForcedBit[] = [];
   private traced: TracedLine[] = [];
   private session: vscode.DebugSession | undefined;
 
@@ -56,17 +68,34 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
 
   getChildren(row?: Row): Row[] {
     if (row?.kind === "mechanisms") return (this.told.mechanisms ?? []).map((mechanism) => ({ kind: "mechanism", mechanism }));
+    if (row?.kind === "allForced") return this.forced.map((bit) => ({ kind: "forced", bit }));
     if (row !== undefined) return [];
     const watches: Row[] = this.wishes.map((wish, index) => ({ kind: "watch", wish, watch: this.told.watches[index] }));
-    return this.session === undefined ? watches : [...watches, { kind: "mechanisms" }];
+    if (this.session === undefined) return watches;
+    // Whatever else is shown: a machine that does what it is forced to comes first.
+    const forced: Row[] = this.forced.length === 0 ? [] : [{ kind: "allForced" }];
+    return [...forced, ...watches, { kind: "mechanisms" }];
   }
 
   getTreeItem(row: Row): vscode.TreeItem {
     if (row.kind === "mechanisms") return new vscode.TreeItem("Mechanisms", vscode.TreeItemCollapsibleState.Expanded);
+    if (row.kind === "allForced") {
+      const item = new vscode.TreeItem(`Forced: ${this.forced.length}`, vscode.TreeItemCollapsibleState.Expanded);
+      item.contextValue = "technolAllForced";
+      item.iconPath = FORCED;
+      return item;
+    }
+    if (row.kind === "forced") {
+      const item = new vscode.TreeItem(row.bit.name);
+      item.description = forcedText(row.bit);
+      item.contextValue = "technolForced";
+      return item;
+    }
     if (row.kind === "watch") {
       const item = new vscode.TreeItem(row.wish.expression);
+      item.iconPath = row.watch?.forced === 0 || row.watch?.forced === 1 ? FORCED : WATCHED;
       item.description = row.watch === undefined ? "" : watchText(row.watch);
-      item.contextValue = "technolWatch";
+      item.contextValue = watchContext(row.watch);
       item.tooltip = row.watch?.stale === true ? "The link has lost samples: the value may have changed since." : undefined;
       return item;
     }
@@ -83,10 +112,7 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
 
   /** The word under the cursor, or what the user types. */
   async add(): Promise<void> {
-    const editor = vscode.window.activeTextEditor;
-    const word = editor?.document.getWordRangeAtPosition(editor.selection.active);
-    const suggested = editor !== undefined && word !== undefined ? editor.document.getText(word) : "";
-    const expression = await vscode.window.showInputBox({ prompt: "Bit, variable or mechanism to watch while the program runs", value: suggested });
+    const expression = await vscode.window.showInputBox({ prompt: "Bit, variable or mechanism to watch while the program runs", value: nameAtCursor() });
     if (expression === undefined || expression.trim() === "") return;
     const mode = await vscode.window.showQuickPick(MODES.map((mode) => ({ label: MODE_TEXTS[mode], mode })), { placeHolder: "What to show" });
     if (mode !== undefined) await this.wish(addWish(this.wishes, { expression, mode: mode.mode }));
@@ -112,11 +138,8 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
   async toggleTrace(): Promise<void> {
     const editor = vscode.window.activeTextEditor;
     if (editor === undefined || editor.document.languageId !== "technol") return;
-    const lines: number[] = [];
-    for (const selection of editor.selections) {
-      // Few enough for the eye; the adapter says which of them can be traced.
-      for (let line = selection.start.line; line <= selection.end.line; line += 1) lines.push(line + 1);
-    }
+    // Few enough for the eye; the adapter says which of them can be traced.
+    const lines = editor.selections.flatMap(selectedLines);
     await this.trace(toggleLines(this.traced, editor.document.uri.fsPath, [...new Set(lines)]));
   }
 
@@ -154,6 +177,7 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
     if (session.id !== this.session?.id) return;
     this.session = undefined;
     this.told = { watches: [] };
+    this.forced = [];
     this.traced = this.traced.map(({ path, line }) => ({ path, line }));
     this.changed.fire(undefined);
     this.decorate();
@@ -166,6 +190,9 @@ class LiveViews implements vscode.TreeDataProvider<Row>, vscode.Disposable {
       // An event that was on its way while the list changed is about the old one.
       if (body.watches.some((watch, index) => watch.expression !== this.wishes[index]?.expression)) return;
       this.told = body;
+      this.changed.fire(undefined);
+    } else if (event.event === "technol/forced") {
+      this.forced = (event.body as ForcedEvent).forced;
       this.changed.fire(undefined);
     } else if (event.event === "technol/trace") {
       const told = (event.body as TraceEvent).lines;

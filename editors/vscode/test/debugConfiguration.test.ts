@@ -20,7 +20,7 @@ test("what is given stays as it is", () => {
 });
 
 test("every form of target is accepted", () => {
-  for (const target of ["embedded", "tcp:127.0.0.1:4711", "tcp:[::1]:1", "serial:/dev/ttyS0@9600", "serial:COM3"]) {
+  for (const target of ["embedded", "tcp:127.0.0.1:4711", "tcp:[::1]:1", "serial:/dev/ttyS0@9600", "serial:COM3", "serial:usb:0403:6001:A5@115200,rtscts"]) {
     assert.equal(problem({ target }), undefined, target);
   }
 });
@@ -38,6 +38,8 @@ test("what can't work is refused with what would", () => {
     [{ clock: "fast" }, /clock is “fast”; it can be real, virtual/],
     [{ build: true }, /build is “true”; it can be ifStale, always, never/],
     [{ download: "maybe" }, /download is “maybe”/],
+    [{ target: "serial:COM3@9600,xonxoff" }, /target is “serial:COM3@9600,xonxoff”/],
+    [{ onLinkLost: "stop" }, /onLinkLost is “stop”; it can be runOn, stayStopped, stopPlc/],
   ] as const) {
     assert.match(problem(changes) ?? "accepted", message);
   }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addWish, toggleLines, traceText, watchText, withErrors } from "../src/live";
+import { addWish, forcedText, selectedLines, toggleLines, traceText, watchText, withErrors } from "../src/live";
 
 test("a watch shows its value, what it was in between, and what is wrong with it", () => {
   assert.equal(watchText({ expression: "A", value: "300 (012Ch)" }), "300 (012Ch)");
@@ -13,9 +13,9 @@ test("a watch shows its value, what it was in between, and what is wrong with it
 
 test("a traced line that did not run, or may be old, is faint", () => {
   const line = { path: "/a.plc", line: 3 };
-  assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5", stale: false }), { text: "RLO 1  DR 5", faint: false });
-  assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5 ?", stale: true }), { text: "RLO 1  DR 5 ?", faint: true });
-  assert.deepEqual(traceText({ ...line, ran: false, value: "RLO 0  DR 5", stale: false }), { text: "RLO 0  DR 5", faint: true });
+  assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5", stale: false }), { text: "RLO 1\u00a0\u00a0DR 5", faint: false });
+  assert.deepEqual(traceText({ ...line, ran: true, value: "RLO 1  DR 5 ?", stale: true }), { text: "RLO 1\u00a0\u00a0DR 5 ?", faint: true });
+  assert.deepEqual(traceText({ ...line, ran: false, value: "RLO 0  DR 5", stale: false }), { text: "RLO 0\u00a0\u00a0DR 5", faint: true });
   assert.deepEqual(traceText({ ...line, ran: false, value: "has not run" }), { text: "has not run", faint: true });
   assert.deepEqual(traceText(line), { text: "…", faint: true });
   assert.deepEqual(traceText({ ...line, error: "there is no instruction on this line" }), { text: "", faint: true });
@@ -45,4 +45,18 @@ test("an expression is watched once, in the mode chosen last", () => {
     { expression: "KEY", mode: "edges" },
   ]);
   assert.deepEqual(addWish(two, { expression: "  ", mode: "value" }), two);
+});
+
+test("a forced bit says by whom it is forced, and which value wins", () => {
+  const bit = { name: "P1IN.2", symbol: "SP_STAND", value: 0, own: true, both: false } as const;
+  assert.equal(forcedText(bit), "SP_STAND forced to 0");
+  assert.equal(forcedText({ ...bit, symbol: null, own: false }), "forced to 0 (not by this session)");
+  assert.equal(forcedText({ ...bit, both: true }), "SP_STAND forced to 0, which wins over forced to 1");
+});
+
+test("a selection that ends in front of a line leaves that line out", () => {
+  const lines = (from: number, to: number, character: number) => selectedLines({ start: { line: from }, end: { line: to, character } });
+  assert.deepEqual(lines(4, 6, 0), [5, 6]);
+  assert.deepEqual(lines(4, 6, 1), [5, 6, 7]);
+  assert.deepEqual(lines(4, 4, 0), [5]);
 });

@@ -8,7 +8,7 @@ const contributes = JSON.parse(readFileSync("package.json", "utf8")).contributes
 const technolDebugger = contributes.debuggers[0];
 
 test("every command of the palette is one the extension has", () => {
-  const source = ["extension", "liveViews"].map((name) => readFileSync(`src/${name}.ts`, "utf8")).join("");
+  const source = ["extension", "liveViews", "forceMenu"].map((name) => readFileSync(`src/${name}.ts`, "utf8")).join("");
   for (const { command } of contributes.commands) {
     assert.ok(source.includes(`registerCommand("${command}"`) || command in FORCE_COMMANDS, command);
   }

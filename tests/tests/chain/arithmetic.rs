@@ -15,6 +15,7 @@ fn adding_and_subtracting() {
         ("W1=0300h", "LOD CNST.4 / AD HIGH.W1", "DR64=7"),
         ("REAL.R1=1.0", "LOD CNST.1.5 / AD REAL.R1", "DR_REAL=2.5 DR64=2"),
         ("", "LOD CNST.1.5 / AD CNST.2.25", "DR_REAL=3.75 DR64=4"),
+        ("REAL.R1=2.25", "LOD CNST.1.5 / AD REAL.R1", "DR_REAL=3.75 DR64=4"),
         ("B1=1", "LOD CNST.0 / SU B1", "DR64=0FFh"),
         ("W1=1", "LOD CNST.0 / SU W1", "DR64=0FFFFh"),
         ("D1=1", "LOD CNST.0 / SU D1", "DR64=0FFFFFFFFh"),
@@ -22,6 +23,8 @@ fn adding_and_subtracting() {
         ("", "LOD CNST.10 / SU CNST.3", "DR64=7"),
         ("W1=1203h", "LOD CNST.15h / SU HIGH.W1", "DR64=3"),
         ("REAL.R1=0.5", "LOD CNST.0.25 / SU REAL.R1", "DR_REAL=-0.25 DR64=0"),
+        ("REAL.R1=0.5", "LOD CNST.3.75 / SU REAL.R1", "DR_REAL=3.25 DR64=3"),
+        ("QWRD.Q1=1122334400000000h", "LOD QWRD.Q1 / SU CNST.1", "DR64=11223344FFFFFFFFh"),
     ]);
 }
 
@@ -40,19 +43,27 @@ fn multiplying_and_dividing() {
         ("REAL.R1=-2.0", "LOD CNST.1.5 / MULB REAL.R1", "DR_REAL=-3.0 DR64=-3"),
         ("B1=2", "LOD CNST.7 / DIVB B1", "DR64=3"),
         ("B1=2", "LOD CNST.-7 / DIVB B1", "DR64=-3"),
+        ("B1=-2", "LOD CNST.7 / DIVB B1", "DR64=-3"),
+        ("B1=-2", "LOD CNST.-7 / DIVB B1", "DR64=3"),
+        ("QWRD.Q1=7FFFFFFFh", "LOD QWRD.Q1 / DIVB CNST.-1", "DR64=-2147483647"),
+        ("QWRD.Q1=80000000h", "LOD QWRD.Q1 / DIVB CNST.-1", "DR64=-2147483648"),
+        // 8000h of 16 bits by a BYTE: the quotient is that of longer numbers.
+        ("W1=8000h B1=-1", "LOD W1 / DIVB B1", "DR64=32768"),
         // A BYTE divides DR16, a WORD DR32, a DWORD and constants DR64.
         ("QWRD.Q1=1122334455660064h B1=10", "LOD QWRD.Q1 / DIVB B1", "DR64=10"),
         ("QWRD.Q1=11223344000186A0h W1=7", "LOD QWRD.Q1 / DIVB W1", "DR64=14285"),
         ("QWRD.Q1=10000000000 D1=100000", "LOD QWRD.Q1 / DIVB D1", "DR64=100000"),
         ("QWRD.Q1=10000000000", "LOD QWRD.Q1 / DIVB CNST.-100000", "DR64=-100000"),
         ("REAL.R1=2.0", "LOD CNST.7.0 / DIVB REAL.R1", "DR_REAL=3.5 DR64=4"),
+        ("", "LOD CNST.7.0 / DIVB CNST.2.0", "DR_REAL=3.5 DR64=4"),
         ("W1=300 W2=7", "LOD W1 / MULB W2 / DIVB CNST.100 / STO W1", "W1=21"),
     ]);
 }
 
 #[test]
 fn bytes_of_bits() {
-    const Q: &str = "QWRD.Q1=1122334455667788h B1=0Fh W1=0FFFFh D1=0FFFF0000h QWRD.Q2=0FF000000000000FFh";
+    const Q: &str = "QWRD.Q1=1122334455667788h B1=0Fh W1=0FFFFh D1=0FFFF0000h D2=0F0F0F0Fh \
+                     QWRD.Q2=0FF000000000000FFh";
     check(&[
         (Q, "LOD QWRD.Q1 / ORB B1", "DR64=112233445566778Fh"),
         (Q, "LOD QWRD.Q1 / ORB W1", "DR64=112233445566FFFFh"),
@@ -65,12 +76,15 @@ fn bytes_of_bits() {
         (Q, "LOD QWRD.Q1 / XORB B1", "DR64=1122334455667787h"),
         (Q, "LOD QWRD.Q1 / XORB W1", "DR64=1122334455668877h"),
         (Q, "LOD QWRD.Q1 / XORB QWRD.Q2", "DR64=0EE22334455667777h"),
+        (Q, "LOD QWRD.Q1 / XORB D1", "DR64=11223344AA997788h"),
+        (Q, "LOD QWRD.Q1 / ORB CNST.0FFh", "DR64=11223344556677FFh"),
+        (Q, "LOD QWRD.Q1 / XORB CNST.0FFh", "DR64=1122334455667777h"),
     ]);
 }
 
 #[test]
 fn a_prefix_gives_the_width() {
-    const ONES: &str = "QWRD.Q1=11223344FFFFFFFFh DWRD.AREA=04030201h D1=04030201h W1=0300h";
+    const ONES: &str = "QWRD.Q1=11223344FFFFFFFFh DWRD.AREA=04030201h D1=04030201h D2=1 W1=0300h";
     const ZEROS: &str = "QWRD.Q1=1122334400000000h DWRD.AREA=04030201h W1=0300h";
     const SUM: &str = "QWRD.Q1=1122334455667788h DWRD.AREA=04030201h";
     const SIGNED: &str = "BYTE.AREA=-2 WORD.(AREA+2)=-3 DWRD.(AREA+4)=25 W1=0300h";
@@ -123,6 +137,9 @@ fn one_operand() {
         ("QWRD.Q1=1122334400000000h", "LOD QWRD.Q1 / DCR DWRD", "DR64=11223344FFFFFFFFh"),
         ("", "LOD CNST.0 / DCR QWRD", "DR64=-1"),
         ("", "LOD CNST.0.5 / DCR REAL", "DR_REAL=-0.5 DR64=0"),
+        ("", "LOD CNST.5.25 / INR REAL", "DR_REAL=6.25 DR64=6"),
+        ("", "LOD CNST.5.25 / DCR REAL", "DR_REAL=4.25 DR64=4"),
+        ("QWRD.Q1=100000000h", "LOD QWRD.Q1 / DCR QWRD", "DR64=0FFFFFFFFh"),
         ("QWRD.Q1=1122334455660001h", "LOD QWRD.Q1 / INV", "DR64=112233445566FFFFh"),
         ("QWRD.Q1=1122334400000001h", "LOD QWRD.Q1 / INV DWRD", "DR64=11223344FFFFFFFFh"),
         ("QWRD.Q1=1", "LOD QWRD.Q1 / INV QWRD", "DR64=-1"),
@@ -132,10 +149,18 @@ fn one_operand() {
         ("QWRD.Q1=11223344FFFFFFFEh", "LOD QWRD.Q1 / ABS DWRD", "DR64=1122334400000002h"),
         ("", "LOD CNST.-9 / ABS QWRD", "DR64=9"),
         ("", "LOD CNST.-1.5 / ABS REAL", "DR_REAL=1.5 DR64=2"),
+        ("W1=5", "LOD W1 / ABS", "DR64=5"),
+        ("QWRD.Q1=1122334400000005h", "LOD QWRD.Q1 / ABS DWRD", "DR64=1122334400000005h"),
+        ("", "LOD CNST.9 / ABS QWRD", "DR64=9"),
+        ("", "LOD CNST.2.5 / ABS REAL", "DR_REAL=2.5 DR64=2"),
+        // The most negative number has no opposite.
+        ("W1=8000h", "LOD W1 / ABS", "DR64=0FFFFFFFFFFFF8000h"),
         ("W1=0FFFEh", "LOD W1 / REAL", "DR_REAL=-2.0 DR64=-2"),
         ("QWRD.Q1=1122334455660003h", "LOD QWRD.Q1 / REAL", "DR_REAL=3.0 DR64=3"),
         ("D1=0FFFFFFF6h", "LOD D1 / REAL DWRD", "DR_REAL=-10.0 DR64=-10"),
-        ("QWRD.Q1=10000000000", "LOD QWRD.Q1 / REAL QWRD", "DR_REAL=10000000000.0"),
+        ("QWRD.Q1=10000000000", "LOD QWRD.Q1 / REAL QWRD", "DR_REAL=10000000000.0 DR64=10000000000"),
+        ("QWRD.Q1=1122334455668003h", "LOD QWRD.Q1 / REAL", "DR_REAL=-32765.0 DR64=-32765"),
+        ("QWRD.Q1=1122334487654321h", "LOD QWRD.Q1 / REAL DWRD", "DR_REAL=-2023406815.0 DR64=-2023406815"),
     ]);
 }
 
@@ -149,6 +174,12 @@ fn decimal_numbers() {
         ("QWRD.Q1=1122334480000012h", "LOD QWRD.Q1 / BIN DWRD", "DR64=11223344FFFFFFF4h"),
         ("QWRD.Q1=11223344556604D2h", "LOD QWRD.Q1 / BCD", "DR64=1122334455661234h"),
         ("QWRD.Q1=1122334400BC614Eh", "LOD QWRD.Q1 / BCD DWRD", "DR64=1122334412345678h"),
+        // The largest.
+        ("W1=9999h", "LOD W1 / BIN", "DR16=9999"),
+        ("W1=9999", "LOD W1 / BCD", "DR16=9999h"),
+        ("D1=79999999h", "LOD D1 / BIN DWRD", "DR32=79999999"),
+        ("D1=0F9999999h", "LOD D1 / BIN DWRD", "DR32=-79999999"),
+        ("D1=99999999", "LOD D1 / BCD DWRD", "DR32=99999999h"),
     ]);
 }
 
@@ -169,6 +200,16 @@ fn shifting() {
         (Q, "LOD QWRD.Q1 / RR 2", "DR64=1122334455662004h"),
         (Q, "LOD QWRD.Q1 / RR B1,DWRD", "DR64=1122334405566801h"),
         (Q, "LOD QWRD.Q1 / RR CNST.32,QWRD", "DR64=11223344h"),
+        (Q, "LOD QWRD.Q1 / RR B1,QWRD", "DR64=0112233445566801h"),
+        // By nothing, by all but one bit, by the whole width.
+        (Q, "LOD QWRD.Q1 / RL CNST.0 / RR CNST.0,DWRD", "DR64=1122334455668011h"),
+        (Q, "LOD QWRD.Q1 / RR CNST.15", "DR64=1122334455660001h"),
+        (Q, "LOD QWRD.Q1 / RR CNST.4,DWRD", "DR64=1122334405566801h"),
+        (Q, "LOD QWRD.Q1 / RR CNST.16", "DR64=1122334455660000h"),
+        (Q, "LOD QWRD.Q1 / RL CNST.15", "DR64=1122334455668000h"),
+        (Q, "LOD QWRD.Q1 / RL CNST.31,DWRD", "DR64=1122334480000000h"),
+        (Q, "LOD QWRD.Q1 / RL CNST.32,DWRD", "DR64=1122334400000000h"),
+        (Q, "LOD QWRD.Q1 / RR CNST.64,QWRD", "DR64=0"),
         ("", "LOD CNST.-1 / RR CNST.60,QWRD", "DR64=0Fh"),
         ("B1=16", "LOD CNST.-1 / RL B1", "DR64=0FFFFFFFFFFFF0000h"),
         ("B1=255", "LOD CNST.-1 / RR B1,QWRD", "DR64=0"),
@@ -179,7 +220,22 @@ fn shifting() {
 fn what_has_no_result_stops_the_program() {
     for (given, lines, why) in [
         ("", "LOD FIVE / DIVB W1", "division by zero"),
+        ("", "LOD FIVE / DIVB B1", "division by zero"),
+        ("", "LOD FIVE / DIVB D1", "division by zero"),
+        ("", "LOD CNST.0.0 / DIVB REAL.R1", "division by zero"),
+        ("REAL.R1=-0.0", "LOD CNST.1.5 / DIVB REAL.R1", "division by zero"),
         ("QWRD.Q1=100000000h", "LOD QWRD.Q1 / DIVB CNST.1", "quotient"),
+        ("QWRD.Q1=80000000h", "LOD QWRD.Q1 / DIVB CNST.1", "quotient"),
+        ("QWRD.Q1=80000000h W1=-1", "LOD QWRD.Q1 / DIVB W1", "quotient"),
+        ("QWRD.Q1=8000000000000000h D1=-1", "LOD QWRD.Q1 / DIVB D1", "quotient"),
+        ("D1=1A000000h", "LOD D1 / BIN DWRD", "BCD"),
+        ("D1=100000000", "LOD D1 / BCD DWRD", "BCD"),
+        ("W1=-1", "LOD W1 / BCD", "BCD"),
+        ("D1=-1", "LOD D1 / BCD DWRD", "BCD"),
+        ("W1=0A000h", "LOD W1 / INRBCD", "BCD"),
+        ("B1=9Ah", "LDR -I0 / CUBCD B1", "BCD"),
+        ("W1=0A00h", "LDR -I0 / CUBCD W1", "BCD"),
+        ("W1=0Ah", "LOD W1 / BCDSTR LONG", "BCD"),
         ("W1=12A4h", "LOD W1 / BIN", "BCD"),
         ("W1=10000", "LOD W1 / BCD", "BCD"),
         ("W1=009Ah", "LOD W1 / INRBCD", "BCD"),

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, check};
 
 #[test]
@@ -82,6 +83,48 @@ fn sums_and_logic_at_each_width() {
         ("W1=3 W2=4", "MOV CX,W1 / ADD CX,W2 / MOV W1,CX / MOV AX,CX / SUB W2,AX", "W1=7 W2=0FFFDh"),
         ("W1=9", "MOV CX,10 / CMP CX,W1", "DR16=10 W1=9"),
         ("W1=9", "CMP W1,10", "W1=9"),
+        ("D1=5", "MOV ECX,3 / ADD D1,ECX", "D1=8 D2=0"),
+        ("W1=3 W2=5", "MOV CX,W1 / ADD CX,W2 / MOV W1,CX", "W1=8"),
+        ("B1=0FFh", "AND B1,0AAh", "B1=0AAh"),
+        ("W1=0FFFFh", "AND W1,0AAh", "W1=0AAh"),
+        ("D1=0FFFFFFFFh", "AND D1,0AAh", "D1=0AAh"),
+        ("B1=5", "CMP B1,5 / JE L / FL 1,O0 / L:", "B1=5 OB=0"),
+        ("B1=5", "CMP B1,6 / JB L / FL 1,O0 / L:", "B1=5 OB=0"),
+        ("B1=3", "MOV CL,5 / CMP CL,B1", "DR8=5"),
+        ("D1=3", "MOV ECX,5 / CMP ECX,D1", "DR32=5"),
+        ("", "MOV AX,5 / CMP AX,5 / JE L / FL 1,O0 / L: / MOV W1,AX", "W1=5 OB=0"),
+        ("", "MOV CX,5 / CMP CX,5 / JE L / FL 1,O0 / L:", "DR16=5 OB=0"),
+        ("", "MOV AX,2200h / OR AH,12h / MOV W1,AX", "W1=3200h"),
+        ("", "MOV AX,1100h / XOR AH,13h / MOV W1,AX", "W1=200h"),
+        ("W1=1100h", "OR W1,1300h", "W1=1300h"),
+    ]);
+}
+
+#[test]
+fn what_was_there_before_is_replaced() {
+    check(&[
+        ("B1=0FFh", "MOV B1,5", "B1=5"),
+        ("B1=3Ch B2=3Ch", "MOV ECX,1234h / MOV B1,CL / MOV B2,CH", "B1=34h B2=12h"),
+        ("B1=3Ch B2=3Ch", "MOV EDX,1234h / MOV B1,DL / MOV B2,DH", "B1=34h B2=12h"),
+        ("B1=3Ch", "MOV AX,1234h / MOV B1,AH", "B1=12h"),
+        ("D1=3C3C3C3Ch", "MOV ECX,12345678h / MOV D1,ECX", "D1=12345678h"),
+        ("D1=3C3C3C3Ch", "MOV EDX,12345678h / MOV D1,EDX", "D1=12345678h"),
+        ("D1=3C3C3C3Ch", "MOV EAX,12345678h / MOV D1,EAX", "D1=12345678h"),
+        ("D1=3C3C3C3Ch", "MOV EBX,12345678h / MOV D1,EBX", "D1=12345678h"),
+        ("", "MOV EAX,3C3C3C3Ch / MOV EAX,12345678h / MOV D1,EAX", "D1=12345678h"),
+        ("", "MOV EBX,3C3C3C3Ch / MOV EBX,12345678h / MOV D1,EBX", "D1=12345678h"),
+        ("", "MOV ECX,3C3C3C3Ch / MOV ECX,12345678h / MOV D1,ECX", "D1=12345678h"),
+        ("", "MOV EDX,3C3C3C3Ch / MOV EDX,12345678h / MOV D1,EDX", "D1=12345678h"),
+        ("", "MOV AX,3C3Ch / MOV AX,1234h / MOV W1,AX", "W1=1234h"),
+        ("", "MOV CL,3Ch / MOV CL,12h", "DR8=12h"),
+        ("", "MOV EBX,0 / MOV BH,3Ch / MOV BH,12h / MOV D1,EBX", "D1=1200h"),
+        ("", "MOV EDX,0 / MOV DH,3Ch / MOV DH,12h / MOV D1,EDX", "D1=1200h"),
+        ("", "MOV AX,3C3Ch / MOV CX,1234h / MOV AX,CX / MOV W1,AX", "W1=1234h"),
+        ("", "MOV EAX,3C3C3C3Ch / MOV ECX,12345678h / MOV EAX,ECX / MOV D1,EAX", "D1=12345678h"),
+        ("W1=3C3Ch", "MOV CX,1234h / MOV W1,CX", "W1=1234h"),
+        ("W1=3C3Ch", "MOV DX,1234h / MOV W1,DX", "W1=1234h"),
+        ("", "MOV DX,3C3Ch / MOV DX,1234h / MOV W1,DX", "W1=1234h"),
+        ("W1=1234h W2=5678h", "MOV AX,W1 / MOV W2,AX", "W2=1234h"),
     ]);
 }
 
@@ -98,6 +141,7 @@ fn shifts_count_to_31_and_keep_the_last_bit_as_carry() {
         ("D1=3", "SHL D1,31", "D1=80000000h D2=0"),
         ("D1=0C0000000h", "SHR D1,31", "D1=1"),
         ("W1=1", "MOV CL,33 / SHL W1,CL", "W1=2"),
+        ("D1=8", "MOV CL,2 / SHL D1,CL", "D1=20h"),
         ("W1=8", "MOV CL,0E1h / SHR W1,CL", "W1=4"),
         // By 0, and by 32, nothing happens to the flags either.
         ("W1=1 D1=8", "MOV CL,32 / CMP W1,1 / SHL D1,CL / JE L / FL 1,O0 / L:", "D1=8 OB=0"),
@@ -115,6 +159,11 @@ fn flags_of_the_other_instructions() {
         // INC and DEC leave the carry of the sum before.
         ("B1=0FFh", "ADD B1,1 / INC B2 / JC L / FL 1,O0 / L:", "B2=1 OB=0"),
         ("", "ADD B1,1 / DEC B2 / JC L / FL 1,O0 / L:", "B2=0FFh OB=1"),
+        ("W1=0FFFFh", "ADD W1,1 / INC W2 / JC L / FL 1,O0 / L:", "W2=1 OB=0"),
+        ("", "ADD W1,1 / DEC W2 / JC L / FL 1,O0 / L:", "W2=0FFFFh OB=1"),
+        ("D1=0FFFFFFFFh", "ADD D1,1 / INC D2 / JC L / FL 1,O0 / L:", "D2=1 OB=0"),
+        ("", "ADD D1,1 / DEC D2 / JC L / FL 1,O0 / L:", "D2=0FFFFFFFFh OB=1"),
+        ("", "MOV CX,0 / ADD W1,1 / DEC CX / JC L / FL 1,O0 / L:", "DR16=0FFFFh OB=1"),
         ("B1=0FFh", "INC B1 / JNC L / FL 1,O0 / L:", "B1=0 OB=0"),
         ("B1=0FFh", "INC B1 / JZ L / FL 1,O0 / L:", "OB=0"),
         ("B1=7Fh", "INC B1 / JO L / FL 1,O0 / L:", "B1=80h OB=0"),
@@ -187,32 +236,38 @@ const JUMPS: [Jump; 30] = [
 #[test]
 fn every_conditional_jump_at_every_width() {
     for (cells, register, bits) in [("B", "CL", 8), ("W", "CX", 16), ("D", "ECX", 32)] {
-        // Bit n of Q1: jump n did not jump.
-        let mut lines = String::from("MOV DWRD.Q1,0");
-        for (n, (jump, _)) in JUMPS.iter().enumerate() {
-            let _ = write!(
-                lines,
-                " / MOV {register},{cells}1 / CMP {register},{cells}2 / {jump} L{n} / OR DWRD.Q1,0{:X}h / L{n}:",
-                1_u32 << n
-            );
-        }
-        let mut plc = Plc::of(&lines);
-        let extend = |value: i64| value << (64 - bits) >> (64 - bits);
-        let mask = (1_i64 << bits) - 1;
-        let half = 1_i64 << (bits - 1);
-        let values = [0, 1, 2, 3, half - 1, half, half + 1, mask - 1, mask];
-        for (a, b) in values.iter().flat_map(|a| values.map(|b| (*a, b))) {
-            plc.set(&format!("{cells}1=0{a:X}h {cells}2=0{b:X}h"));
-            plc.run(1);
-            let (signed_a, signed_b) = (extend(a), extend(b));
-            let difference = extend(a.wrapping_sub(b));
-            let stayed: u32 = (0..)
-                .zip(JUMPS)
-                .filter(|(_, (_, jumps))| !jumps(signed_a, signed_b, mask, difference))
-                .map(|(n, _): (u32, _)| 1_u32 << n)
-                .sum();
-            assert_eq!(plc.differences(&format!("DWRD.Q1=0{stayed:X}h")), [""; 0], "{bits}: {a:X}h, {b:X}h");
-        }
+        with_mutants(|| {
+            // Bit n of Q1: jump n did not jump.
+            let mut lines = String::from("MOV DWRD.Q1,0");
+            for (n, (jump, _)) in JUMPS.iter().enumerate() {
+                let _ = write!(
+                    lines,
+                    " / MOV {register},{cells}1 / CMP {register},{cells}2 / {jump} L{n} / OR DWRD.Q1,0{:X}h / L{n}:",
+                    1_u32 << n
+                );
+            }
+            let mut plc = Plc::of(&lines);
+            let extend = |value: i64| value << (64 - bits) >> (64 - bits);
+            let mask = (1_i64 << bits) - 1;
+            let half = 1_i64 << (bits - 1);
+            let values = [0, 1, 2, 3, half - 1, half, half + 1, mask - 1, mask];
+            for (a, b) in values.iter().flat_map(|a| values.map(|b| (*a, b))) {
+                plc.set(&format!("{cells}1=0{a:X}h {cells}2=0{b:X}h"));
+                plc.run(1);
+                let (signed_a, signed_b) = (extend(a), extend(b));
+                let difference = extend(a.wrapping_sub(b));
+                let stayed: u32 = (0..)
+                    .zip(JUMPS)
+                    .filter(|(_, (_, jumps))| !jumps(signed_a, signed_b, mask, difference))
+                    .map(|(n, _): (u32, _)| 1_u32 << n)
+                    .sum();
+                assert_eq!(
+                    plc.differences(&format!("DWRD.Q1=0{stayed:X}h")),
+                    [""; 0],
+                    "{bits}: {a:X}h, {b:X}h"
+                );
+            }
+        });
     }
 }
 

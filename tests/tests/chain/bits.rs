@@ -1,5 +1,6 @@
 //! Bit logic and jumps (manual 3.5 to 3.9).
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, check};
 
 #[test]
@@ -16,7 +17,13 @@ fn equations() {
         ("IB=3", "LDR I0 / LA I1 / WR O0", "OB=1"),
         ("IB=1", "LDR I0 / LA I1 / WR O0", "OB=0"),
         ("IB=1", "LDR I0 / LA -I1 / WR O0", "OB=1"),
+        ("IB=0", "LDR I0 / LA -I1 / WR O0", "OB=0"),
         ("IB=2", "LDR I0 / LO I1 / WR O7", "OB=80h"),
+        ("IB=1", "LDR I0 / LO I1 / WR O7", "OB=80h"),
+        ("IB=3", "LDR I0 / LO I1 / WR O7", "OB=80h"),
+        ("IB=1", "LDR I0 / LO -I1 / WR O7", "OB=80h"),
+        ("IB=2", "LDR I0 / LO -I1 / WR O7", "OB=0"),
+        ("IB=3", "LDR I0 / LO -I1 / WR O7", "OB=80h"),
         ("IB=0", "LDR I0 / LO I1 / WR O7", "OB=0"),
         ("IB=0", "LDR I0 / LO -I1 / WR O7", "OB=80h"),
         ("IB=3", "LDR I0 / LX I1 / WR O0", "OB=0"),
@@ -40,6 +47,11 @@ fn the_equation_stack() {
         ("IB=06h", "LDR I0 / LA I1 / LDR I2 / LA I3 / LO / WR O0", "OB=0"),
         ("IB=0Fh", "LDR I0 / LA I1 / LDR -I2 / LO I4 / LA / WR O0", "OB=0"),
         ("IB=1Fh", "LDR I0 / LA I1 / LDR -I2 / LO I4 / LA / WR O0", "OB=1"),
+        ("IB=0Fh", "LDR I0 / LA I1 / LDR I2 / LA I3 / LO / WR O0", "OB=1"),
+        ("IB=02h", "LDR I0 / LDR I1 / LA / WR O0", "OB=0"),
+        ("IB=01h", "LDR I0 / LDR -I2 / LA / WR O0", "OB=1"),
+        ("IB=05h", "LDR I0 / LDR -I2 / LA / WR O0", "OB=0"),
+        ("IB=09h", "LDR I0 / LDR -I2 / LA / WR O0", "OB=1"),
         ("IB=01h", "LDR I0 / LDR I1 / LX / WR O0", "OB=1"),
         ("IB=03h", "LDR I0 / LDR I1 / LX / WR O0", "OB=0"),
         // Three open brackets are closed from the inside: I0 or (I1 and (I2 xor I3)).
@@ -72,6 +84,7 @@ fn writing_bits() {
         ("IB=1 OB=0FFh", "LDR I0 / FL1 0,O4 / FL1 0,O5", "OB=0CFh"),
         ("IB=2", "LDR I0 / MOVR O1,I1 / LO I1 / WR O0", "OB=3"),
         ("IB=0 OB=2", "MOVR O1,I1", "OB=0"),
+        ("IB=3", "LDR I0 / MOVR O1,I1", "OB=2"),
         ("OB=8", "MOVR OB.I0,OB.I3", "OB=9"),
         ("IB=1 OB=8", "LDR I0 / MOVR1 OB.I0,OB.I3", "OB=9"),
         ("IB=0 OB=8", "LDR I0 / MOVR1 OB.I0,OB.I3", "OB=8"),
@@ -105,4 +118,28 @@ fn edges_fire_once_and_never_at_the_start() {
             assert_eq!(plc.differences(&format!("W1={n}")), [""; 0], "{edge}, cycle {cycle}");
         }
     }
+}
+
+#[test]
+fn an_edge_is_a_change_and_not_a_level() {
+    for (edge, counts) in [("EDGE_H", [0, 0, 0, 1, 1, 1]), ("EDGE_L", [0, 1, 1, 1, 1, 2])] {
+        with_mutants(|| {
+            let mut plc = Plc::of(&format!("{edge} I0 / JL0 L / LOD W1 / INR / STO W1 / L:"));
+            for (level, count) in [1, 0, 0, 1, 1, 0].into_iter().zip(counts) {
+                plc.set(&format!("I0={level}"));
+                plc.run(1);
+                assert_eq!(plc.differences(&format!("W1={count}")), [""; 0], "{edge}");
+            }
+        });
+    }
+}
+
+#[test]
+fn a_procedure_gives_its_registers_back() {
+    check(&[(
+        "",
+        "LDR I7 / LOD CNST.1.5 / PROC_CALL P / PROC_BEGIN P / LOD CNST.-4.5 / LOD CNST.123456789 / LDR -I7 / PROC_END P",
+        "RLO=1 DR64=123456789 DR_REAL=-4.5",
+    )]);
+    check(&[("", "LDR -I7 / PROC_CALL P / PROC_BEGIN P / LDR I7 / PROC_END P", "RLO=0")]);
 }

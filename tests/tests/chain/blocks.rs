@@ -2,13 +2,13 @@
 
 use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared};
 
+use crate::coverage::wrong_rows;
 use crate::plc::Plc;
 
 /// In each row: the lines, and what is true while the first of the blocks moves.
 #[track_caller]
 fn check(blocks: &[Block], rows: &[(&str, &str)]) {
-    let mut wrong = Vec::new();
-    for (lines, then) in rows {
+    let wrong = wrong_rows(rows, |(lines, then)| {
         let mut plc = Plc::of(lines);
         plc.set("I0=1");
         for block in blocks {
@@ -17,10 +17,8 @@ fn check(blocks: &[Block], rows: &[(&str, &str)]) {
         plc.run(1);
         let mut found = plc.differences(then);
         found.extend(plc.fault());
-        if !found.is_empty() {
-            wrong.push(format!("{lines}: {}", found.join(", ")));
-        }
-    }
+        found
+    });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

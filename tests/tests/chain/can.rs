@@ -4,6 +4,7 @@ use technol_machine::{CAN_QUEUE, CanPacket};
 
 use technol_runtime::{Resume, StopReason};
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, first_line};
 
 #[test]
@@ -279,32 +280,38 @@ fn every_member_is_read_and_written_at_its_width() {
     let steps = |step: &dyn Fn(usize, &str) -> String| -> String {
         (0..).zip(MEMBERS).map(|(n, (member, _))| step(4 * n, member)).collect::<Vec<_>>().join(" / ")
     };
-    let check = |plc: &Plc, written: u32| {
+    let check = |plc: &Plc, written: &dyn Fn(u32, &str) -> u32| {
         for (n, (member, bytes)) in (0..).zip(MEMBERS) {
-            let value = written & u32::MAX >> (32 - 8 * bytes);
+            let value = written(n, member) & u32::MAX >> (32 - 8 * bytes);
             assert_eq!(plc.differences(&format!("DWRD.(BIG+{})={value} O1=0", 4 * n)), [""; 0], "{member}");
         }
     };
     let reads =
         steps(&|at, member| format!("CAN_SYSIO_READ 1,2,32,{member} / LO O1 / WR O1 / STO DWRD.(BIG+{at})"));
-    let mut read = Plc::of(&reads);
-    let unit = read.control().can_unit_mut(1, 2, 32);
-    for (member, _) in MEMBERS {
-        assert!(unit.set(member, 0x9CAD_BECF), "{member}");
-    }
-    // MODE_ACT follows MODE.
-    read.run(2);
-    check(&read, 0x9CAD_BECF);
+    with_mutants(|| {
+        let mut read = Plc::of(&reads);
+        let unit = read.control().can_unit_mut(1, 2, 32);
+        // A value of its own for each; but MODE_ACT follows MODE.
+        let value = |n: u32| 0x9CAD_BECF_u32.wrapping_sub(n * 0x0101_0101);
+        for (n, (member, _)) in (0..).zip(MEMBERS) {
+            assert!(unit.set(member, value(n)), "{member}");
+        }
+        read.run(2);
+        let mode = MEMBERS.iter().position(|(member, _)| *member == "MODE").expect("a member") as u32;
+        check(&read, &|n, member| value(if member == "MODE_ACT" { mode } else { n }));
+    });
     let writes = steps(&|at, member| {
         format!(
             "LOD CNST.12345678h / CAN_SYSIO_WRITE 1,2,32,{member} / LO O1 / WR O1 / LOD CNST.-1 / CAN_SYSIO_READ 1,2,32,{member} / \
              STO DWRD.(BIG+{at})"
         )
     });
-    let mut written = Plc::of(&writes);
-    written.control().can_unit_mut(1, 2, 32);
-    written.run(1);
-    check(&written, 0x1234_5678);
+    with_mutants(|| {
+        let mut written = Plc::of(&writes);
+        written.control().can_unit_mut(1, 2, 32);
+        written.run(1);
+        check(&written, &|_, _| 0x1234_5678);
+    });
 }
 
 #[test]
@@ -450,4 +457,38 @@ fn the_control_reports_errors_of_its_buses_by_itself() {
     let shown = plc.control().board().transient().nth(2).copied().expect("three messages");
     let text = shown.text(plc.control().data());
     assert_eq!(String::from_utf8_lossy(&text), "CAN drive 3 reports an error, register 1, code 4310");
+}
+
+#[test]
+fn a_packet_is_cut_at_the_end_of_its_place() {
+    // A text of three characters has four bytes.
+    let mut plc = Plc::of("CAN_RECV 2,SHORT / STO D1");
+    plc.control().can_mut().feed(2, CanPacket::new(0x181, &[0x55; 8]));
+    plc.run(1);
+    assert_eq!(plc.differences("D1=0 DWRD.SHORT=08000181h BYTE.BEHIND=77h"), [""; 0]);
+    let mut plc = Plc::with_init(
+        "CAN_RECV_REQ 2,580h,-,1,-,P,SHORT",
+        "LOD FIVE / PROC_BEGIN P / LOD FIVE / STO W1 / PROC_END P",
+    );
+    plc.control().can_mut().feed(2, CanPacket::new(0x581, &[0x55; 8]));
+    plc.run(1);
+    assert_eq!(plc.differences("W1=5 DWRD.SHORT=08000581h BYTE.BEHIND=77h"), [""; 0]);
+}
+
+#[test]
+fn a_handle_has_32_bits() {
+    for end in ["CAN_RECV_END", "CAN_RECV_DEL"] {
+        let lines =
+            format!("LDR I0 / JL0 L9 / {end} D1 / WR O0 / L9: / PROC_BEGIN P / LOD FIVE / PROC_END P");
+        let mut plc = Plc::with_init("CAN_RECV_REQ 2,580h,-,1,-,P,PACKET / STO D1 / WR O1", &lines);
+        assert_eq!(plc.differences("O1=1 D1=1"), [""; 0]);
+        plc.set("I0=1 D1=10001h O0=1");
+        plc.run(1);
+        assert_eq!(plc.differences("O0=0"), [""; 0], "{end}");
+        plc.set("D1=1");
+        plc.run(1);
+        assert_eq!(plc.differences("O0=1"), [""; 0], "{end}");
+        plc.run(1);
+        assert_eq!(plc.differences("O0=0"), [""; 0], "{end}: it is known no more");
+    }
 }

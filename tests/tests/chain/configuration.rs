@@ -2,6 +2,7 @@
 
 use technol_machine::{ControlData, Value};
 
+use crate::coverage::wrong_rows;
 use crate::plc::Plc;
 
 fn data() -> ControlData {
@@ -15,6 +16,7 @@ fn data() -> ControlData {
         ("Name", Value::Text(b"xyz".to_vec())),
         ("Long", Value::Text(b"0123456789".to_vec())),
         ("Raw", Value::Bytes(vec![1, 2, 3])),
+        ("Rest", Value::Bytes(vec![1, 2, 3, 4, 5, 6])),
     ];
     let constants = [("Offs", 260), ("Code", 0xFFFF_FFFF)];
     ControlData {
@@ -27,17 +29,13 @@ fn data() -> ControlData {
 /// Before, the lines, after one cycle.
 #[track_caller]
 fn check(rows: &[(&str, &str, &str)]) {
-    let mut wrong = Vec::new();
-    for (given, lines, then) in rows {
+    let wrong = wrong_rows(rows, |(given, lines, then)| {
         let mut plc = Plc::of(lines);
         plc.control().set_data(data());
         plc.set(given);
         plc.run(1);
-        let found: Vec<String> = plc.differences(then).into_iter().chain(plc.fault()).collect();
-        if !found.is_empty() {
-            wrong.push(format!("{lines}: {}", found.join(", ")));
-        }
-    }
+        plc.differences(then).into_iter().chain(plc.fault()).collect()
+    });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -64,6 +62,9 @@ fn a_parameter_goes_to_the_target_at_its_width_and_rlo_tells_that_it_is_there() 
         ("", "CNF_GET_STR LONG,'Name'", "QWRD.LONG=68676665007A7978h RLO=1"),
         ("", "CNF_GET_STR SHORT,'Long'", "DWRD.SHORT=00323130h BYTE.BEHIND=77h RLO=1"),
         ("", "CNF_GET_BIN LONG+1,'Raw'", "QWRD.LONG=6867666503020161h RLO=1"),
+        // Not past the end of a buffer.
+        ("", "CNF_GET_BIN SHORT,'Rest'", "DWRD.SHORT=04030201h BYTE.BEHIND=77h RLO=1"),
+        ("", "CNF_GET_INT SHORT+1,'Minus'", "DWRD.SHORT=0FFFFFE63h BYTE.BEHIND=77h RLO=1"),
         ("", "CNF_GET_BIT O1,'Minus'", "OB=2 RLO=1"),
         ("OB=255", "CNF_GET_BIT O1,'Zero'", "OB=253 RLO=1"),
     ]);
@@ -94,6 +95,7 @@ fn without_the_parameter_the_target_gets_the_default_or_stays() {
         ("", "CNF_GET_BIN LONG,'Name',SHORT", "QWRD.LONG=6867666500656463h RLO=0"),
         ("OB=2", "CNF_GET_BIT O1,'None'", "OB=2 RLO=0"),
         ("", "CNF_GET_BIT O1,'None',1", "OB=2 RLO=0"),
+        ("OB=255", "CNF_GET_BIT O1,'None',0", "OB=253 RLO=0"),
     ]);
 }
 
@@ -102,6 +104,8 @@ fn a_constant_goes_to_its_cell_and_to_dr() {
     check(&[
         ("", "CONST_GET W1,'Offs'", "W1=260 W2=0 DR=260 RLO=1"),
         ("", "CONST_GET B1,'Offs'", "B1=4 B2=0 DR=260 RLO=1"),
+        ("W2=9", "CONST_GET W1,'Offs'", "W1=260 W2=9"),
+        ("D2=9", "CONST_GET D1,'Offs'", "D1=260 D2=9"),
         ("", "STRCPY LONG,'Offs' / CONST_GET BYTE.AREA,LONG", "QWRD.AREA=4 DR=260 RLO=1"),
         ("", "CONST_GET WORD.AREA,'Offs'", "QWRD.AREA=260 DR=260 RLO=1"),
         ("", "CONST_GET DWRD.AREA,'Code'", "QWRD.AREA=0FFFFFFFFh RLO=1"),

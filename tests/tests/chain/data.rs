@@ -23,6 +23,12 @@ fn loading() {
         ("D1=11228344h", "LOD WORD.(D1+2)", "DR64=1122h"),
         ("W1=5", "LOD -W1", "DR64=0FFFFFFFFFFFFFFFBh"),
         ("B1=80h", "LOD -B1", "DR64=80h"),
+        ("W1=8001h W2=1", "LOD -W1", "DR64=7FFFh"),
+        (
+            "DWRD.(AREA+4)=180AAh",
+            "LOD CNST.4 / MOV BX,CX / LOD WORD.AREA[BX]",
+            "DR64=0FFFFFFFFFFFF80AAh BX=4",
+        ),
         ("", "LOD CNST.-5", "DR64=0FFFFFFFFFFFFFFFBh"),
         ("", "LOD CNST.0F0h", "DR64=0F0h"),
         ("", "LOD CNST.1011b", "DR64=11"),
@@ -85,6 +91,7 @@ fn storing() {
         ("IB=1", "LOD CNST.-2 / LDR I0 / STO1 WORD.AREA", "QWRD.AREA=0FFFEh"),
         ("IB=1", "LOD CNST.0.5 / LDR I0 / STO1 REAL.R1 / LDR I0 / STO0 REAL.R2", "REAL.R1=0.5 REAL.R2=0.0"),
         ("", "LOD CNST.3 / MOV BX,CX / STO BYTE.AREA[BX]", "QWRD.AREA=03000000h"),
+        ("", "LOD CNST.0.5 / LDR I0 / STO1 REAL.R1", "REAL.R1=0.0"),
     ]);
 }
 
@@ -108,6 +115,16 @@ fn moving() {
         ("W1=1234h W2=0FFFFh", "LDR -I0 / MOVE1 HIGH.W2,HIGH.W1", "W2=12FFh"),
         ("QWRD.Q1=1122334455667788h", "LDR -I0 / MOVE1 QWRD.Q2,QWRD.Q1", "QWRD.Q2=1122334455667788h"),
         ("REAL.R1=0.1", "LDR -I0 / MOVE1 REAL.R2,REAL.R1", "REAL.R2=0.1 DR_REAL=0.0"),
+        // MOVE does not ask for RLO, MOVE1 does.
+        ("B1=12h B2=34h W1=5566h", "LDR -I0 / MOVE B2,B1", "B2=12h W1=5566h"),
+        ("W1=1234h", "LDR -I0 / MOVE W2,W1", "W2=1234h"),
+        ("D1=11223344h", "LDR -I0 / MOVE D2,D1", "D2=11223344h"),
+        ("QWRD.Q1=1122334455667788h", "LDR -I0 / MOVE QWRD.Q2,QWRD.Q1", "QWRD.Q2=1122334455667788h"),
+        ("REAL.R1=0.1", "LDR -I0 / MOVE REAL.R2,REAL.R1", "REAL.R2=0.1"),
+        ("B1=12h", "LDR I0 / MOVE1 B2,B1", "B2=0"),
+        ("D1=11223344h", "LDR I0 / MOVE1 D2,D1", "D2=0"),
+        ("QWRD.Q1=1122334455667788h", "LDR I0 / MOVE1 QWRD.Q2,QWRD.Q1", "QWRD.Q2=0"),
+        ("REAL.R1=0.1", "LDR I0 / MOVE1 REAL.R2,REAL.R1", "REAL.R2=0.0"),
         ("IB=1 W1=7", "LDR I0 / MOVE1 W2,W1", "W2=7 RLO=1"),
         ("IB=0 W1=7", "LDR I0 / MOVE1 W2,W1", "W2=0 RLO=0"),
         ("QWRD.Q1=1122334455667788h", "MV Q1,Q2,3", "QWRD.Q2=667788h"),

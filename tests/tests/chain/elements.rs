@@ -4,6 +4,7 @@ use technol_machine::config::{Input, Link, Number, Output, Value};
 use technol_machine::{Conversion, ElementValue, MachineConfig, Signal};
 use technol_runtime::RuntimeEvent;
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 #[track_caller]
@@ -22,7 +23,7 @@ fn port(name: &str) -> Signal {
 
 #[test]
 fn mapped_inputs_follow_their_elements_and_hold_their_default_without_one() {
-    let init = "MAP_IN DOOR,'inDoor' / MAP_IN OIL,'Oil',1 / MAP_AIN AIR,'Air',6.5 / MAP_AIN TANK,'Tank'";
+    let init = "MAP_IN DOOR,'inDoor' / MAP_IN OIL,'Oil',1 / MAP_IN DRY,'Dry',0 / MAP_AIN AIR,'Air',6.5 / MAP_AIN TANK,'Tank'";
     let main = "LDR DOOR / WR O0 / LOD REAL.AIR / STO REAL.R1";
     let mut plc = Plc::with_init(init, main);
     holds(&plc, "DOOR=0 OIL=1 AIR=6.5 TANK=0.0");
@@ -35,19 +36,20 @@ fn mapped_inputs_follow_their_elements_and_hold_their_default_without_one() {
     plc.run(1);
     holds(&plc, "O0=1 REAL.R1=4.25 OIL=0 TANK=0.0");
     // A bound cell does not keep what the program writes; a start brings the default back where nothing is bound.
-    plc.set("DOOR=0");
+    plc.set("DOOR=0 DRY=1");
     plc.restart();
-    holds(&plc, "DOOR=1 OIL=1 AIR=4.25");
+    holds(&plc, "DOOR=1 OIL=1 DRY=0 AIR=4.25");
 }
 
 #[test]
 fn mapped_outputs_leave_after_the_modules() {
-    let init = "MAP_OUT LAMP,'Lamp',1 / MAP_AOUT BELT,'Belt',2.5";
+    let init = "MAP_OUT LAMP,'Lamp',1 / MAP_OUT DARK,'Dark',0 / MAP_AOUT BELT,'Belt',2.5";
     let mut plc =
         Plc::with_init(init, "LDR I0 / JL0 PAST / FL 0,LAMP / LOD CNST.7.5 / STO REAL.BELT / PAST:");
     assert_eq!(plc.control().output("Lamp"), None);
     plc.run(1);
     assert_eq!(plc.control().output("LAMP"), Some(&true.into()));
+    assert_eq!(plc.control().output("Dark"), Some(&false.into()));
     assert_eq!(plc.control().output("PLC.Output.Belt"), Some(&2.5.into()));
     plc.set("I0=1");
     plc.run(1);
@@ -157,17 +159,21 @@ fn every_type_has_its_width_and_its_sign() {
         let signed = [format!("INT_{bits}"), format!("INT{bits}")].map(|name| (name, value - (1 << bits)));
         let types = unsigned.iter().map(|name| (name.to_string(), value)).chain(signed);
         for (name, sent) in types {
-            let init = format!(
-                "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
-            );
-            let wide = if bits == 64 { "QWRD." } else { "" };
-            let mut plc =
-                Plc::with_init(&init, &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"));
-            set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
-            plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
-            plc.run(1);
-            holds(&plc, &format!("GOT={content} QWRD.Q2={}", value - (1 << bits)));
-            assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{name}");
+            with_mutants(|| {
+                let init = format!(
+                    "STRCPY LONG,'In' / DEF_IN GOT,LONG,TYPE_{name},-,SLOW / STRCPY LONG,'Out' / DEF_OUT SENT,LONG,TYPE_{name},-,SLOW"
+                );
+                let wide = if bits == 64 { "QWRD." } else { "" };
+                let mut plc = Plc::with_init(
+                    &init,
+                    &format!("LOD QWRD.Q1 / STO {wide}SENT / LOD {wide}GOT / STO QWRD.Q2"),
+                );
+                set(&mut plc, "In", ElementValue::Int(0x8899_AABB_CCDD_EEFF));
+                plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+                plc.run(1);
+                holds(&plc, &format!("GOT={content} QWRD.Q2={}", value - (1 << bits)));
+                assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{name}");
+            });
         }
     }
     let mut plc = Plc::with_init("DEF_OUT SENT,'Out',TYPE_REAL", "LOD CNST.-1.5 / STO REAL.SENT");
@@ -192,6 +198,7 @@ fn links_carry_outputs_to_inputs() {
                 DEF_OUT HELD,'Held',TYPE_INT_16,-3,ONDEMAND / DEF_IN OPEN,'Open',TYPE_BIT";
     let main = "LDR SHUT / WR O0 / LDR I0 / WR GATE / LOD W1 / STO SPEED[1] / LDR I1 / JL0 PAST / UPDATE_IN ASKED / PAST:";
     let mut plc = Plc::with_init(init, main);
+    holds(&plc, "GATE=1 HELD=0FFFDh");
     let invert = Conversion { invert: true, ..Conversion::default() };
     let scaled = Conversion { scale: 0.25, offset: 1.0, ..Conversion::default() };
     let control = plc.control();
@@ -212,19 +219,25 @@ fn links_carry_outputs_to_inputs() {
 
 #[test]
 fn update_in_fetches_one_element_or_all_and_leaves_the_registers() {
-    let init = "DEF_IN POS[3],'Pos',TYPE_INT_32,-,ONDEMAND / DEF_OUT LAMP,'Lamp',TYPE_BIT";
+    let init = "DEF_IN POS[3],'Pos',TYPE_INT_32,-,ONDEMAND / DEF_OUT LAMP,'Lamp',TYPE_BIT / DEF_IN KEY,'Key',TYPE_BIT,-,ONDEMAND";
     let read = "LOD POS[0] / STO D1 / LOD POS[1] / STO D2 / LOD POS[2] / STO QWRD.Q1";
-    for (fetch, expected) in
-        [("POS[1]", "D1=0 D2=2 QWRD.Q1=0"), ("POS", "D1=1 D2=2 QWRD.Q1=3"), ("LAMP", "D1=0 D2=0 QWRD.Q1=0")]
-    {
+    for (fetch, expected) in [
+        ("POS[1]", "D1=0 D2=2 QWRD.Q1=0"),
+        ("POS", "D1=1 D2=2 QWRD.Q1=3"),
+        ("LAMP", "D1=0 D2=0 QWRD.Q1=0"),
+        ("KEY", "D1=0 D2=0 QWRD.Q1=0"),
+    ] {
         let main = format!("LOD CNST.77 / LDR I0 / UPDATE_IN {fetch} / WR O0 / STO W1 / {read}");
         let mut plc = Plc::with_init(init, &main);
         for (id, value) in [("Pos", 1_i64), ("Pos[1]", 2), ("Pos[2]", 3)] {
             set(&mut plc, id, value);
         }
+        // Any number but 0 is a bit.
+        set(&mut plc, "Key", 2_i64);
         plc.set("I0=1");
         plc.run(1);
-        holds(&plc, &format!("W1=77 O0=1 {expected}"));
+        holds(&plc, &format!("W1=77 O0=1 {expected} KEY={}", u8::from(fetch == "KEY")));
+        assert_eq!(plc.control().output("Lamp"), Some(&false.into()));
     }
 }
 
@@ -314,4 +327,22 @@ fn a_mapped_bit_may_begin_a_message() {
         _ => None,
     });
     assert_eq!(numbers.collect::<Vec<_>>(), [5]);
+}
+
+#[test]
+fn slow_elements_change_with_the_cycle_and_fast_ones_with_the_millisecond() {
+    for (period, got, sent) in [(",-,SLOW", 0, 0), ("", 0, 0), (",-,FAST", 5, 7)] {
+        let init = format!("DEF_IN GOT,'In',TYPE_INT_16{period} / DEF_OUT SENT,'Out',TYPE_INT_16{period}");
+        let mut plc = Plc::with_modules(&init, "", "MODULE_FAST / LOD W1 / STO SENT / MODULE_FAST_END");
+        plc.run(1);
+        plc.tick(1);
+        set(&mut plc, "In", 5_i64);
+        plc.set("W1=7");
+        plc.tick(1);
+        holds(&plc, &format!("GOT={got} SENT=7"));
+        assert_eq!(plc.control().output("Out"), Some(&ElementValue::Int(sent)), "{period}");
+        plc.tick(20);
+        holds(&plc, "GOT=5");
+        assert_eq!(plc.control().output("Out"), Some(&7_i64.into()), "{period}");
+    }
 }

@@ -2,6 +2,7 @@
 
 use technol_machine::{EcatSlave, EcatState};
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 /// A mechanism that executes these lines, waits for their end, and keeps DR in D2.
@@ -63,10 +64,12 @@ fn registers_have_elements() {
         ("ECAT_SOE_READ 0,1,0,B1,51,Q1,D1", "8", 8, "QWRD.Q1=6D6Dh D1=2 D2=0 B1=8"),
         ("ECAT_SOE_READ 0,1,0,B1,8001h,W1,D1", "40h", 2, "W1=707h D1=2 D2=0"),
     ] {
-        let mut plc = transfer(lines);
-        plc.set(&format!("M=1 B1={flags} D1={wanted} D2=-1"));
-        plc.run(3);
-        assert_eq!(plc.differences(expected), [""; 0], "{lines} {flags}");
+        with_mutants(|| {
+            let mut plc = transfer(lines);
+            plc.set(&format!("M=1 B1={flags} B2=9 D1={wanted} D2=-1"));
+            plc.run(3);
+            assert_eq!(plc.differences(&format!("{expected} B2=9")), [""; 0], "{lines} {flags}");
+        });
     }
     let mut plc = transfer("ECAT_SOE_WRITE 0,1,0,B1,51,D2,D1");
     plc.set("M=1 B1=40h D1=4 D2=01020304h");
@@ -97,10 +100,12 @@ fn numbers_come_from_cells_of_their_type() {
         ),
     ];
     for (lines, given, expected) in rows {
-        let mut plc = transfer(lines);
-        plc.set(&format!("M=1 {CELLS} {given} D1=4 D2=-1"));
-        plc.run(3);
-        assert_eq!(plc.differences(&format!("D2=0 {expected}")), [""; 0], "{lines}");
+        with_mutants(|| {
+            let mut plc = transfer(lines);
+            plc.set(&format!("M=1 {CELLS} {given} D1=4 D2=-1"));
+            plc.run(3);
+            assert_eq!(plc.differences(&format!("D2=0 {expected}")), [""; 0], "{lines}");
+        });
     }
     let rows = [
         ("ECAT_COE_WRITE B2,W1,6060h,B2,Q1,D1", "D1=1"),
@@ -117,15 +122,17 @@ fn numbers_come_from_cells_of_their_type() {
         ),
     ];
     for (lines, given) in rows {
-        let mut plc = transfer(lines);
-        plc.set(&format!("M=1 {CELLS} {given} DWRD.Q1=0A0B0C0Dh D2=-1"));
-        plc.run(3);
-        assert_eq!(plc.differences("M=0 D2=0"), [""; 0], "{lines}");
-        if lines.contains("COE") {
-            assert_eq!(slave(&mut plc).object(0x6060, 0), Some(&[0x0D][..]), "{lines}");
-        } else {
-            assert_eq!(slave(&mut plc).register(0, 51), Some(&[0x0D, 0x0C, 0x0B, 0x0A][..]), "{lines}");
-        }
+        with_mutants(|| {
+            let mut plc = transfer(lines);
+            plc.set(&format!("M=1 {CELLS} {given} DWRD.Q1=0A0B0C0Dh D2=-1"));
+            plc.run(3);
+            assert_eq!(plc.differences("M=0 D2=0"), [""; 0], "{lines}");
+            if lines.contains("COE") {
+                assert_eq!(slave(&mut plc).object(0x6060, 0), Some(&[0x0D][..]), "{lines}");
+            } else {
+                assert_eq!(slave(&mut plc).register(0, 51), Some(&[0x0D, 0x0C, 0x0B, 0x0A][..]), "{lines}");
+            }
+        });
     }
 }
 
@@ -142,18 +149,22 @@ fn each_command_leads_to_its_state() {
     for (name, state) in states {
         // From above and from below.
         for first in ["INIT", "OPERATIONAL"] {
-            for (who, address) in [("SLAVE", "0,1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")] {
-                let mut plc = Plc::of(&format!(
-                    "MECH_BEGIN M / ECAT_COMMAND {address},ECATCMD_{who}_{first} / EX0 / EX / \
-                     ECAT_COMMAND {address},ECATCMD_{who}_{name} / EX0 / STO D2 / FL 1,O0 / MECH_END M"
-                ));
-                slave(&mut plc);
-                plc.set("M=1 W1=1 D2=-1");
-                plc.run(20);
-                assert_eq!(plc.differences("O0=1 D2=0"), [""; 0], "{who} {first} {name}");
-                assert_eq!(slave(&mut plc).state(), state, "{who} {first} {name}");
-                let master = if who == "MASTER" { state } else { Operational };
-                assert_eq!(plc.control().ethercat_mut().state(), master, "{who} {first} {name}");
+            for (who, address) in
+                [("SLAVE", "0,1"), ("SLAVE", "B2,W1"), ("MASTER", "B2,W1"), ("MASTER", "BYTE.B2,WORD.W1")]
+            {
+                with_mutants(|| {
+                    let mut plc = Plc::of(&format!(
+                        "MECH_BEGIN M / ECAT_COMMAND {address},ECATCMD_{who}_{first} / EX0 / EX / \
+                         ECAT_COMMAND {address},ECATCMD_{who}_{name} / EX0 / STO D2 / FL 1,O0 / MECH_END M"
+                    ));
+                    slave(&mut plc);
+                    plc.set("M=1 W1=1 D2=-1");
+                    plc.run(20);
+                    assert_eq!(plc.differences("O0=1 D2=0"), [""; 0], "{who} {first} {name}");
+                    assert_eq!(slave(&mut plc).state(), state, "{who} {first} {name}");
+                    let master = if who == "MASTER" { state } else { Operational };
+                    assert_eq!(plc.control().ethercat_mut().state(), master, "{who} {first} {name}");
+                });
             }
         }
     }
@@ -182,9 +193,28 @@ fn errors_are_told_in_dr_and_nothing_is_transferred() {
         ("ECAT_SOE_WRITE 0,1,0,B1,8001h,W1,D1", 2, "7004h"),
         ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,W1,D1", 3, "5"),
         ("ECAT_COMMAND 0,7,ECATCMD_SLAVE_INIT", 3, "2"),
+        ("ECAT_COMMAND 1,1,ECATCMD_SLAVE_STATE,D1,D1", 4, "1"),
+        // Numbers of 16 bits and lengths of 32.
+        ("ECAT_COE_READ 0,WORD.(AREA+2),603Fh,0,W1,D1", 2, "2"),
+        ("ECAT_COE_WRITE 0,WORD.(AREA+2),6060h,0,W1,D1", 1, "2"),
+        ("ECAT_SOE_READ 0,WORD.(AREA+2),0,B1,51,W1,D1", 2, "2"),
+        ("ECAT_SOE_WRITE 0,WORD.(AREA+2),0,B1,51,Q1,D1", 4, "2"),
+        ("ECAT_COMMAND 0,WORD.(AREA+2),ECATCMD_SLAVE_INIT", 3, "2"),
+        ("ECAT_SOE_READ 0,1,0,B1,WORD.(AREA+4),Q1,D1", 4, "1001h"),
+        ("ECAT_SOE_WRITE 0,1,0,B1,WORD.(AREA+4),Q1,D1", 4, "1001h"),
+        ("ECAT_COE_READ 0,1,603Fh,0,W1,D1", 0x10002, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 0x10002, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,W1,D1", 3, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,Q1,D1", 0x10004, "5"),
+        ("ECAT_SOE_READ 0,1,0,B1,51,SHORT+1,D1", 4, "5"),
+        ("ECAT_COE_WRITE 0,1,6060h,0,W1,D1", 0x10001, "5"),
+        ("ECAT_SOE_WRITE 0,1,0,B1,51,Q1,D1", 0x10004, "5"),
+        ("ECAT_COMMAND 0,1,ECATCMD_SLAVE_STATE,Q1,D1", 0x10004, "5"),
     ] {
         let mut plc = transfer(lines);
-        plc.set(&format!("M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h W1=7777h D2=-1"));
+        plc.set(&format!(
+            "M=1 D1={wanted} B1=40h B2=4 BYTE.AREA=41h WORD.(AREA+2)=101h WORD.(AREA+4)=133h W1=7777h D2=-1"
+        ));
         plc.run(3);
         let length = if lines.contains("SLAVE_INIT") { wanted } else { 0 };
         let found = plc.differences(&format!("M=0 O0=1 D2={code} D1={length} W1=7777h"));
@@ -260,27 +290,31 @@ fn states_are_asked_for() {
         ("0,1,CNST.20,D2,D1", 8),
     ];
     for (command, expected) in commands {
-        let mut plc = Plc::of(&format!(
-            "MECH_BEGIN M / ECAT_COMMAND 0,1,ECATCMD_SLAVE_INIT / EX0 / LOD CNST.4 / STO D1 / \
-             ECAT_COMMAND {command} / EX0 / FL 1,O0 / MECH_END M"
-        ));
-        slave(&mut plc);
-        plc.set("M=1 D2=-1");
-        plc.run(10);
-        assert_eq!(plc.differences(&format!("O0=1 D1=4 D2={expected}")), [""; 0], "{command}");
+        with_mutants(|| {
+            let mut plc = Plc::of(&format!(
+                "MECH_BEGIN M / ECAT_COMMAND 0,1,ECATCMD_SLAVE_INIT / EX0 / LOD CNST.4 / STO D1 / \
+                 ECAT_COMMAND {command} / EX0 / FL 1,O0 / MECH_END M"
+            ));
+            slave(&mut plc);
+            plc.set("M=1 D2=-1");
+            plc.run(10);
+            assert_eq!(plc.differences(&format!("O0=1 D1=4 D2={expected}")), [""; 0], "{command}");
+        });
     }
 }
 
 #[test]
 fn a_silent_slave_is_given_up_after_a_second() {
     for lines in ["ECAT_COE_READ 0,1,603Fh,0,W1,D1", "ECAT_COMMAND 0,1,ECATCMD_SLAVE_INIT"] {
-        let mut plc = transfer(lines);
-        slave(&mut plc).set_silent(true);
-        plc.set("M=1 D1=2 D2=-1");
-        plc.run(50);
-        assert_eq!(plc.differences("M=1 O0=0"), [""; 0], "{lines}");
-        plc.run(1);
-        assert_eq!(plc.differences("M=0 O0=1 D2=3"), [""; 0], "{lines}");
+        with_mutants(|| {
+            let mut plc = transfer(lines);
+            slave(&mut plc).set_silent(true);
+            plc.set("M=1 D1=2 D2=-1");
+            plc.run(50);
+            assert_eq!(plc.differences("M=1 O0=0"), [""; 0], "{lines}");
+            plc.run(1);
+            assert_eq!(plc.differences("M=0 O0=1 D2=3"), [""; 0], "{lines}");
+        });
     }
 }
 

@@ -25,6 +25,7 @@ mod mechanisms;
 mod messages;
 mod modules;
 mod plc;
+mod registers;
 mod serial;
 mod shared;
 mod slides;

@@ -1,17 +1,20 @@
 //! Mechanisms cycle by cycle (manual chapter 4): where they wait, when they go on, what restarts them.
 
+use crate::coverage::with_mutants;
 use crate::plc::{Plc, first_line};
 
 /// Before each cycle what is set, after it what holds.
 #[track_caller]
 fn follow(lines: &str, cycles: &[(&str, &str)]) {
-    let mut plc = Plc::of(lines);
-    for (cycle, (set, expected)) in cycles.iter().enumerate() {
-        plc.set(set);
-        plc.run(1);
-        assert_eq!(plc.differences(expected), [""; 0], "{lines}, after cycle {cycle}");
-    }
-    assert_eq!(plc.fault(), None);
+    with_mutants(|| {
+        let mut plc = Plc::of(lines);
+        for (cycle, (set, expected)) in cycles.iter().enumerate() {
+            plc.set(set);
+            plc.run(1);
+            assert_eq!(plc.differences(expected), [""; 0], "{lines}, after cycle {cycle}");
+        }
+        assert_eq!(plc.fault(), None);
+    });
 }
 
 #[test]
@@ -82,6 +85,48 @@ fn tim_waits_its_cycles_and_restarts() {
             ("M=1 O0=0", "B1=1 O0=0 M=1"),
         ],
     );
+}
+
+#[test]
+fn a_time_of_nothing_passes_at_once_and_a_counter_is_as_wide_as_its_cell() {
+    for time in ["0", "W2", "CNST.0"] {
+        follow(&format!("MECH_BEGIN M / TIM W1,{time} / FL 1,O0 / MECH_END M"), &[("M=1", "O0=1 M=0 W1=0")]);
+        for (instruction, condition) in [("TEX0", "I0"), ("TEX1", "-I0")] {
+            let lines = format!(
+                "MECH_BEGIN M / LDR {condition} / {instruction} W1,{time},E / JUM F / E: / FL 1,O1 / F: / MECH_END M"
+            );
+            follow(&lines, &[("M=1", "O1=1 M=0 W1=0")]);
+        }
+    }
+    for (wait, given) in [("TIM", ""), ("LDR I0 / TEX0", ",E"), ("LDR -I0 / TEX1", ",E")] {
+        let byte = format!("MECH_BEGIN M / {wait} B1,3{given} / E: / MECH_END M");
+        follow(&byte, &[("M=1 B2=7", "B1=1 B2=7"), ("", "B1=2 B2=7")]);
+        // More than 255 cycles.
+        with_mutants(|| {
+            let mut plc = Plc::of(&format!("MECH_BEGIN M / {wait} W1,300{given} / E: / MECH_END M"));
+            plc.set("M=1");
+            plc.run(300);
+            assert_eq!(plc.differences("M=1 W1=300"), [""; 0], "{wait}");
+            plc.run(1);
+            assert_eq!(plc.differences("M=0 W1=0"), [""; 0], "{wait}");
+        });
+    }
+}
+
+#[test]
+fn the_line_is_that_of_the_instruction_it_waits_at() {
+    let line = first_line() + 2;
+    for wait in ["EX0", "EX1", "TIM -,2", "TEX0 -,2,E", "TEX1 -,2,E"] {
+        let condition = if wait.contains('1') { "LDR -I0" } else { "LDR I0" };
+        let lines = format!("MECH_BEGIN M / {condition} / {wait} / E: / MECH_END M");
+        follow(
+            &lines,
+            &[
+                ("M=1", &format!("M=1 M_LINE={line}")),
+                ("I0=1", &format!("M_LINE={}", if wait.starts_with("TIM") { line } else { 0 })),
+            ],
+        );
+    }
 }
 
 #[test]

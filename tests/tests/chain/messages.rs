@@ -2,6 +2,7 @@
 
 use technol_runtime::RuntimeEvent;
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 /// Number, supplementary number, shown, parameters of each message.
@@ -80,28 +81,31 @@ fn operands_of_edef_are_taken_at_the_start_but_for_the_parameters() {
                 EDEF B1,I3,8,-,0001b,-,DWRD.D2,-";
     let mut plc = Plc::with_init(init, "");
     plc.run(1);
-    plc.set("W1=1 D1=2 D2=44 IB=6 B1=8 DWRD.AREA=100001h");
+    plc.set("W1=1 D1=2 D2=80044 IB=6 B1=8 DWRD.AREA=100001h");
     let expected = [
-        (300, Some(70_000), true, [None, Some(44), None]),
-        (300, Some(70_000), true, [Some(44), None, Some(0x10_0001)]),
-        (7, Some(-2), true, [None, None, Some(44)]),
-        (8, None, true, [None, Some(44), None]),
+        (300, Some(70_000), true, [None, Some(80_044), None]),
+        (300, Some(70_000), true, [Some(80_044), None, Some(0x10_0001)]),
+        (7, Some(-2), true, [None, None, Some(80_044)]),
+        (8, None, true, [None, Some(80_044), None]),
     ];
     assert_eq!(shown(&plc.events(1)), expected);
 }
 
 /// What these lines report in one cycle.
-fn reported(given: &str, lines: &str) -> Vec<Shown> {
-    let mut plc = Plc::of(lines);
-    plc.set(given);
-    shown(&plc.events(1))
+#[track_caller]
+fn reports(given: &str, lines: &str, expected: &[Shown]) {
+    with_mutants(|| {
+        let mut plc = Plc::of(lines);
+        plc.set(given);
+        assert_eq!(shown(&plc.events(1)), expected, "{lines}");
+    });
 }
 
 #[test]
 fn messages_have_their_numbers_and_values() {
     let given = "W1=300 D1=70000 D2=-9 DWRD.AREA=100007h";
     let none = [None; 3];
-    let messages: [(&str, Shown); 9] = [
+    let messages: [(&str, Shown); 10] = [
         ("LOD CNST.44 / ESET", (44, None, true, none)),
         // The number is in 16 bits of DR.
         ("LOD DWRD.AREA / ESET", (7, None, true, none)),
@@ -116,14 +120,15 @@ fn messages_have_their_numbers_and_values() {
             (9, Some(2), true, [Some(1), Some(70_000), Some(6)]),
         ),
         ("ESET FIVE,-,1,-,-,D2", (5, None, true, [None, None, Some(-9)])),
+        ("ESET FIVE,-,-,D1,-,-", (5, None, true, [Some(70_000), None, None])),
         ("ESET 12,-,-,3,-", (12, None, true, [Some(3), None, None])),
         ("ESET 12,3,0,-,-,-", (12, Some(3), false, none)),
     ];
     for (lines, expected) in messages {
-        assert_eq!(reported(given, lines), [expected], "{lines}");
+        reports(given, lines, &[expected]);
         let conditional = lines.replace("ESET", "LDR I0 / ESET1");
-        assert_eq!(reported(given, &conditional), [], "{conditional}");
-        assert_eq!(reported(&format!("{given} I0=1"), &conditional), [expected], "{conditional}");
+        reports(given, &conditional, &[]);
+        reports(&format!("{given} I0=1"), &conditional, &[expected]);
     }
 }
 

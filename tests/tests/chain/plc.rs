@@ -11,7 +11,7 @@ use technol_machine::{MachineConfig, SimulatedControl};
 use technol_runtime::{Command, InputImage, Runtime};
 use technol_target::{Simulation, parse_machine};
 
-use crate::coverage::{concerns, left_out, loaded, recorded};
+use crate::coverage::{loaded, mutated, recorded, wrong_rows};
 use crate::frame;
 
 /// The cells of the tables; they lie one behind the other in this order.
@@ -97,13 +97,7 @@ impl Plc {
 
     /// The same in front of a machine.
     pub(crate) fn on_machine(machine: Option<&MachineConfig>, init: &str, main: &str, modules: &str) -> Plc {
-        let lines = |text: &str| -> Vec<String> {
-            text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
-        };
-        let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
-        let modules: String =
-            modules.split(" / ").flat_map(|line| [indented(line), "\n".to_owned()]).collect();
-        Plc::load(&source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1), machine)
+        Plc::load(&source(init, main, modules), machine)
     }
 
     /// A program of these lines of MODULE_MAIN in front of a machine, past MODULE_INIT.
@@ -120,7 +114,7 @@ impl Plc {
 
     fn load(source: &str, machine: Option<&MachineConfig>) -> Plc {
         let mut image = recorded(source, || build(&OneFile(source.to_owned()), "plc.plc").image);
-        left_out(source, &mut image);
+        mutated(source, &mut image);
         Plc::of_image(image, machine)
     }
 
@@ -290,6 +284,16 @@ fn assignment(debug: &DebugInfo, program: &Program, text: &str) -> (Target, Assi
     (target, target.assign(value).unwrap_or_else(|e| panic!("{text}: {e}")))
 }
 
+/// The text of a program of these lines of MODULE_INIT and MODULE_MAIN, and other modules.
+fn source(init: &str, main: &str, modules: &str) -> String {
+    let lines = |text: &str| -> Vec<String> {
+        text.split(" / ").map(str::trim).filter(|line| !line.is_empty()).map(indented).collect()
+    };
+    let source = frame::program(DATA, &lines(main).join("\n"), &lines(init).join("\n"));
+    let modules: String = modules.split(" / ").flat_map(|line| [indented(line), "\n".to_owned()]).collect();
+    source.replacen("MODULE_INPUT\n", &format!("{modules}MODULE_INPUT\n"), 1)
+}
+
 /// A label stands at the start of its line, an instruction does not.
 fn indented(line: &str) -> String {
     if line.ends_with(':') { line.to_owned() } else { format!("  {line}") }
@@ -298,16 +302,13 @@ fn indented(line: &str) -> String {
 /// Runs every row for one cycle; all that went wrong is reported at once.
 #[track_caller]
 pub(crate) fn check(rows: &[Row]) {
-    let mut wrong = Vec::new();
-    for (given, lines, then) in rows.iter().filter(|(_, lines, _)| concerns(lines)) {
+    let wrong = wrong_rows(rows, |(given, lines, then)| {
         let mut plc = Plc::of(lines);
         plc.set(given);
         plc.run(1);
         let mut found = plc.differences(then);
         found.extend(plc.fault());
-        if !found.is_empty() {
-            wrong.push(format!("{given}: {lines}: {}", found.join(", ")));
-        }
-    }
+        found
+    });
     assert!(wrong.is_empty(), "{} of {} rows:\n{}", wrong.len(), rows.len(), wrong.join("\n"));
 }

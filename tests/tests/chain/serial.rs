@@ -148,3 +148,14 @@ fn a_start_empties_the_queues() {
     plc.run(1);
     assert_eq!(plc.differences("W1=0"), [""; 0]);
 }
+
+#[test]
+fn a_count_above_the_queue_is_refused_and_one_of_nothing_is_done() {
+    let mut plc = connected(
+        "COM_SEND_STR 1,BIG,W1 / WR O0 / COM_SEND_STR 1,LONG,W2 / WR O1 / COM_CONTROL 1,STATE / STO B1",
+    );
+    plc.set("OB=2 W1=258 W2=0");
+    plc.run(2);
+    assert_eq!(plc.differences("OB=1 B1=4"), [""; 0]);
+    assert_eq!(plc.control().serial_mut(1).take_sent(), [0_u8; 0]);
+}

@@ -2,6 +2,7 @@
 
 use technol_machine::Value;
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 #[track_caller]
@@ -102,14 +103,16 @@ fn cells_of_every_type() {
         ("QWORD", -0x7766_5544_3322_1101),
     ];
     for (name, value) in types {
-        let init = format!(
-            "STRCPY LONG,'Of' / SHARE_VAR Q1,LONG,TYPE_{name} / WR O0 / SHARE_BIT OB,LONG,O1 / WR O1"
-        );
-        let mut plc = Plc::with_init(&init, "");
-        holds(&plc, "O0=1 O1=0");
-        plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
-        let [(of, found)] = &shared(&mut plc)[..] else { panic!("one name") };
-        assert_eq!((of.as_str(), found), ("Of", &Value::Int(value)), "{name}");
+        with_mutants(|| {
+            let init = format!(
+                "STRCPY LONG,'Of' / SHARE_VAR Q1,LONG,TYPE_{name} / WR O0 / SHARE_BIT OB,LONG,O1 / WR O1"
+            );
+            let mut plc = Plc::with_init(&init, "");
+            holds(&plc, "O0=1 O1=0");
+            plc.set("QWRD.Q1=8899AABBCCDDEEFFh");
+            let [(of, found)] = &shared(&mut plc)[..] else { panic!("one name") };
+            assert_eq!((of.as_str(), found), ("Of", &Value::Int(value)), "{name}");
+        });
     }
     let mut plc = Plc::with_init("STRCPY LONG,'Lit' / SHARE_BIT OB,LONG,O1", "FL 1,O1");
     plc.run(1);
@@ -154,6 +157,22 @@ fn bytes_outside_the_area_are_an_error() {
     plc.set("M=1 W1=31996 OB=0");
     plc.run(1);
     holds(&plc, "OB=2 M=0");
+}
+
+#[test]
+fn the_error_of_either_direction_is_a_number_in_dr() {
+    for transfer in ["SA_READ", "SA_WRITE"] {
+        for place in ["0,W1", "1,W2"] {
+            with_mutants(|| {
+                let mut plc = Plc::of(&format!(
+                    "MECH_BEGIN M / LOD CNST.-1 / LDR -I0 / {transfer} {place},4,D1 / WR O0 / STO QWRD.Q1 / FL 1,O1 / MECH_END M"
+                ));
+                plc.set("M=1 W1=31997 W2=-1 D1=77 OB=1");
+                plc.run(1);
+                holds(&plc, "OB=2 QWRD.Q1=1 D1=77 M=0");
+            });
+        }
+    }
 }
 
 #[test]

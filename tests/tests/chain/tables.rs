@@ -2,6 +2,7 @@
 
 use technol_machine::{Column, ControlData, Table, Value, ValueKind};
 
+use crate::coverage::{with_mutants, wrong_rows};
 use crate::plc::Plc;
 
 fn text(text: &str) -> Vec<u8> {
@@ -34,8 +35,7 @@ fn plc(line: &str) -> Plc {
 /// What is in memory before, the instruction, what is there at the end.
 #[track_caller]
 fn check(rows: &[(&str, &str, &str)]) {
-    let mut wrong = Vec::new();
-    for (given, line, then) in rows {
+    let wrong = wrong_rows(rows, |(given, line, then)| {
         let mut plc = plc(line);
         plc.set(given);
         plc.run(1);
@@ -44,10 +44,8 @@ fn check(rows: &[(&str, &str, &str)]) {
         plc.run(1);
         found.extend(plc.differences(&format!("M=0 {then}")));
         found.extend(plc.fault());
-        if !found.is_empty() {
-            wrong.push(format!("{given}: {line}: {}", found.join(", ")));
-        }
-    }
+        found
+    });
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -70,6 +68,17 @@ fn columns_lines_and_counts() {
         ("W1=9", "PLCT_GET_SELLINE 0,W1", "W1=0 OB=1"),
         ("", "PLCT_GET_LINESCOUNT 0,W1", "W1=2 OB=1"),
         ("", "PLCT_SET_SELLINE 0,2", "OB=0 D2=2"),
+        // The cell beside it is not looked at, and not written to.
+        ("W1=1", "PLCT_COL_INDEX B2,'Feed',B1", "B1=2 W1=1 OB=1"),
+        ("W1=1 DWRD.LONG=1", "PLCT_COL_ID B2,LONG", "QWRD.LONG=6867006874656554h OB=1"),
+        ("B2=9", "PLCT_COL_INDEX 0,'Feed',B1", "B1=2 B2=9 OB=1"),
+        ("W1=-1 W2=9", "PLCT_COL_INDEX 0,'Feed',W1", "W1=2 W2=9 OB=1"),
+        ("QWRD.AREA=-1", "PLCT_COL_INDEX 0,'Feed',DWRD.AREA", "DWRD.AREA=2 DWRD.(AREA+4)=-1 OB=1"),
+        ("QWRD.AREA=-1", "PLCT_COL_TYPE 0,2,DWRD.AREA", "DWRD.AREA=2 DWRD.(AREA+4)=-1 OB=1"),
+        // A number of 16 bits is not one of 8.
+        ("W1=102h", "PLCT_COL_TYPE 0,W1,B1", "B1=0 OB=0 D2=3"),
+        ("W1=101h", "PLCT_SET_SELLINE 0,W1", "OB=0 D2=2"),
+        ("D1=10001h", "PLCT_SET_SELLINE 0,D1", "OB=0 D2=2"),
         (FEED, "PLCT_COL_INDEX B2,LONG,B1", "B1=2 B2=0 OB=1 D2=0"),
         ("", "PLCT_COL_INDEX BYTE.B2,'Feed',BYTE.AREA", "QWRD.AREA=2 OB=1"),
         ("", "PLCT_COL_INDEX 0,'Feed',WORD.AREA", "QWRD.AREA=2 OB=1"),
@@ -127,6 +136,28 @@ fn values_are_read_at_the_width_of_their_target() {
         ("W1=1", "PLCT_GET_STR BYTE.B2,WORD.W1,WORD.W2,LONG", "QWRD.LONG=6867007373617242h OB=1"),
         ("W2=3", "PLCT_GET_BIN B2,W1,W2,AREA", "QWRD.AREA=030201h OB=1"),
         ("W2=3", "PLCT_GET_BIN BYTE.B2,WORD.W1,WORD.W2,AREA", "QWRD.AREA=030201h OB=1"),
+        ("W1=100h", "PLCT_GET_INT 0,W1,1,D1", "OB=0 D2=2"),
+        ("W2=101h", "PLCT_GET_INT 0,0,W2,D1", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_GET_REAL 0,W1,2,R1", "OB=0 D2=2"),
+        ("W2=102h", "PLCT_GET_REAL 0,0,W2,R1", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_GET_STR 0,W1,0,LONG", "OB=0 D2=2"),
+        ("W2=100h", "PLCT_GET_STR 0,0,W2,LONG", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_GET_BIN 0,W1,3,AREA", "OB=0 D2=2"),
+        ("W2=103h", "PLCT_GET_BIN 0,0,W2,AREA", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_SET_INT 0,W1,1,D1", "OB=0 D2=2"),
+        ("W2=101h", "PLCT_SET_INT 0,0,W2,D1", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_SET_REAL 0,W1,2,R1", "OB=0 D2=2"),
+        ("W2=102h", "PLCT_SET_REAL 0,0,W2,R1", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_SET_STR 0,W1,0,LONG", "OB=0 D2=2"),
+        ("W2=100h", "PLCT_SET_STR 0,0,W2,LONG", "OB=0 D2=3"),
+        ("W1=100h", "PLCT_SET_BIN 0,W1,3,AREA", "OB=0 D2=2"),
+        ("W2=103h", "PLCT_SET_BIN 0,0,W2,AREA", "OB=0 D2=3"),
+        ("W1=1 D1=3", "PLCT_GET_STR B2,W1,W2,LONG", "QWRD.LONG=6867007373617242h OB=1"),
+        ("B2=0 W1=1 W2=1", "PLCT_GET_INT B2,W1,W2,D1", "D1=18 OB=1"),
+        ("B2=0 W1=1 W2=2", "PLCT_GET_REAL B2,0,W2,R1", "REAL.R1=120.5 OB=1"),
+        ("B2=0 W1=1 W2=3", "PLCT_GET_BIN B2,0,W2,AREA", "QWRD.AREA=030201h OB=1"),
+        ("", "PLCT_GET_INT 0,0,1,SHORT+1", "DWRD.SHORT=0FFFFFD63h BYTE.BEHIND=77h OB=1"),
+        ("", "PLCT_GET_REAL 0,0,2,SHORT", "DWRD.SHORT=0 BYTE.BEHIND=77h OB=1"),
         ("", "PLCT_GET_REAL 0,0,1,R1", "REAL.R1=0.0 OB=0 D2=4"),
         ("", "PLCT_GET_REAL 0,2,2,R1", "REAL.R1=0.0 OB=0 D2=2"),
         ("", "PLCT_GET_STR 0,0,1,LONG", "QWRD.LONG=6867666564636261h OB=0 D2=4"),
@@ -155,6 +186,8 @@ fn values_are_written() {
         ("D1=1FEh", "PLCT_SET_INT 0,1,1,BYTE.D1", 1, 1, Value::Int(-2)),
         ("D1=1FFFEh", "PLCT_SET_INT 0,1,1,WORD.D1", 1, 1, Value::Int(-2)),
         ("W1=0FFFDh", "PLCT_SET_INT 0,1,1,W1", 1, 1, Value::Int(-3)),
+        ("W1=0304h", "PLCT_SET_INT 0,1,1,W1", 1, 1, Value::Int(0x0304)),
+        ("W1=1 D1=1", "PLCT_SET_STR B2,W1,W2,SHORT", 1, 0, Value::Text(text("cde"))),
         ("W1=1 W2=2 REAL.R1=2.5", "PLCT_SET_REAL B2,W1,W2,QWRD.R1", 1, 2, Value::Real(2.5)),
         ("W1=1 W2=2 REAL.R1=2.5", "PLCT_SET_REAL BYTE.B2,WORD.W1,WORD.W2,REAL.R1", 1, 2, Value::Real(2.5)),
         ("W1=1", "PLCT_SET_STR B2,W1,W2,SHORT", 1, 0, Value::Text(text("cde"))),
@@ -170,19 +203,21 @@ fn values_are_written() {
         ("", "PLCT_SET_BIN 0,1,3,SHORT+1", 1, 3, Value::Bytes(vec![b'd', b'e', 0])),
     ];
     for (given, line, row, column, value) in rows {
-        let mut plc = plc(line);
-        plc.set(given);
-        plc.run(1);
-        // Operands are read when the transfer begins.
-        plc.set("B1=1 D1=1 REAL.R1=1.0 BYTE.SHORT=41h BYTE.(SHORT+1)=41h");
-        let before = plc.control().data().tables[0].clone();
-        assert_eq!(before, data().tables[0], "{line}");
-        plc.run(1);
-        assert_eq!(plc.differences("M=0 OB=1 D2=0"), [""; 0], "{line}");
-        assert_eq!(plc.control().data().tables[0].value(row, column), Some(value.clone()), "{line}");
-        let mut expected = before;
-        assert!(expected.set(row, column, value));
-        assert_eq!(plc.control().data().tables[0], expected, "{line}");
+        with_mutants(|| {
+            let mut plc = plc(line);
+            plc.set(given);
+            plc.run(1);
+            // Operands are read when the transfer begins.
+            plc.set("B1=1 D1=1 REAL.R1=1.0 BYTE.SHORT=41h BYTE.(SHORT+1)=41h");
+            let before = plc.control().data().tables[0].clone();
+            assert_eq!(before, data().tables[0], "{line}");
+            plc.run(1);
+            assert_eq!(plc.differences("M=0 OB=1 D2=0"), [""; 0], "{line}");
+            assert_eq!(plc.control().data().tables[0].value(row, column), Some(value.clone()), "{line}");
+            let mut expected = before;
+            assert!(expected.set(row, column, value.clone()));
+            assert_eq!(plc.control().data().tables[0], expected, "{line}");
+        });
     }
     let mut plc = plc("PLCT_SET_INT 0,0,2,D1");
     plc.run(2);
@@ -233,4 +268,36 @@ fn a_selected_line_stays_selected() {
     // Three transfers, one cycle each; the next begins in the cycle in which the one before ends.
     assert_eq!(plc.differences("W2=1 B1=0 M=0"), [""; 0]);
     assert_eq!(plc.fault(), None);
+}
+
+#[test]
+fn a_table_without_lines_and_one_without_columns() {
+    let columns = vec![Column { id: text("Name"), kind: ValueKind::Text }];
+    let tables = vec![Table { columns, rows: Vec::new() }, Table::default()];
+    let rows = [
+        ("PLCT_GET_LINESCOUNT 0,W1", "W1=0 OB=1 D2=0"),
+        ("PLCT_GET_SELLINE 0,W1", "W1=7 OB=0 D2=2"),
+        ("PLCT_SET_SELLINE 0,0", "W1=7 OB=0 D2=2"),
+        ("PLCT_CHANGED 0,W1", "W1=0 OB=1 D2=0"),
+        ("PLCT_COL_INDEX 0,'Name',W1", "W1=0 OB=1 D2=0"),
+        ("PLCT_GET_STR 0,0,0,LONG", "W1=7 OB=0 D2=2"),
+        ("PLCT_SET_STR 0,0,0,LONG", "W1=7 OB=0 D2=2"),
+        ("PLCT_GET_STR 0,0,1,LONG", "W1=7 OB=0 D2=3"),
+        ("PLCT_GET_LINESCOUNT 1,W1", "W1=0 OB=1 D2=0"),
+        ("PLCT_COL_INDEX 1,'Name',W1", "W1=7 OB=0 D2=3"),
+        ("PLCT_COL_TYPE 1,0,W1", "W1=7 OB=0 D2=3"),
+        ("PLCT_GET_STR 1,0,0,LONG", "W1=7 OB=0 D2=3"),
+        ("PLCT_GET_LINESCOUNT 2,W1", "W1=7 OB=0 D2=1"),
+    ];
+    let wrong = wrong_rows(&rows, |(line, then)| {
+        let mut plc = plc(line);
+        plc.control().set_data(ControlData { tables: tables.clone(), ..ControlData::default() });
+        plc.set("W1=7");
+        plc.run(2);
+        plc.differences(&format!("M=0 QWRD.LONG=6867666564636261h {then}"))
+            .into_iter()
+            .chain(plc.fault())
+            .collect()
+    });
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

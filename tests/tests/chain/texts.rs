@@ -8,6 +8,9 @@ fn copying_texts() {
         // The end mark goes along, so the target gets shorter.
         ("", "STRCPY LONG,SHORT", "QWRD.LONG=6867666500656463h BYTE.(LONG+8)=0"),
         ("", "STRCPY LONG,'xy'", "QWRD.LONG=6867666564007978h"),
+        ("", "STRCPY LONG,SHORT,0", "QWRD.LONG=6867666564636261h"),
+        ("", "STRCPY LONG,SHORT,3", "QWRD.LONG=6867666564656463h"),
+        ("", "STRCPY LONG,SHORT,4", "QWRD.LONG=6867666500656463h"),
         // As many characters as were asked for, and no end mark.
         ("", "STRCPY LONG,SHORT,2", "QWRD.LONG=6867666564636463h"),
         ("", "STRCPY LONG,MIDDLE,20", "QWRD.LONG=6867006564636261h"),
@@ -51,6 +54,9 @@ fn comparing_texts() {
 fn bytes_know_no_end_mark() {
     check(&[
         ("", "MEMCPY LONG,SHORT,4", "QWRD.LONG=6867666500656463h"),
+        ("", "MEMCPY LONG,SHORT,2", "QWRD.LONG=6867666564636463h"),
+        // None at all.
+        ("", "MEMCPY LONG,SHORT,0", "QWRD.LONG=6867666564636261h"),
         ("", "MEMCPY SHORT,LONG", "DWRD.SHORT=64636261h BYTE.(SHORT+4)=77h"),
         ("", "MEMCPY SHORT,LONG,100", "DWRD.SHORT=64636261h BYTE.(SHORT+4)=77h"),
         ("", "MEMCMP LONG,MIDDLE,5", "RLO=1"),

@@ -1,17 +1,20 @@
 //! Timers, counters and time blocks (manual 3.11), cycle by cycle.
 
+use crate::coverage::with_mutants;
 use crate::plc::Plc;
 
 /// What holds after each cycle.
 #[track_caller]
 fn follow(given: &str, lines: &str, after: &[&str]) {
-    let mut plc = Plc::of(lines);
-    plc.set(given);
-    for (cycle, expected) in after.iter().enumerate() {
-        plc.run(1);
-        assert_eq!(plc.differences(expected), [""; 0], "{lines}, after cycle {cycle}");
-    }
-    assert_eq!(plc.fault(), None);
+    with_mutants(|| {
+        let mut plc = Plc::of(lines);
+        plc.set(given);
+        for (cycle, expected) in after.iter().enumerate() {
+            plc.run(1);
+            assert_eq!(plc.differences(expected), [""; 0], "{lines}, after cycle {cycle}");
+        }
+        assert_eq!(plc.fault(), None);
+    });
 }
 
 #[test]
@@ -24,6 +27,29 @@ fn a_timer_is_on_once_its_condition_has_lasted() {
         let lines = format!("LDR I0 / LOD CNST.2 / TM {automatic} / WR O0");
         follow("I0=1", &lines, &["O0=0", "O0=0", "O0=1"]);
     }
+}
+
+#[test]
+fn counters_and_timers_are_as_wide_as_their_cell() {
+    let timer = |cell: &str, preset: &str| format!("LDR I0 / LOD CNST.{preset} / TM {cell} / WR O0");
+    follow("I0=1 B2=5", &timer("B1", "3"), &["O0=0 B1=1 B2=5", "O0=0 B1=2 B2=5"]);
+    follow("I0=1 W1=0FFh", &timer("W1", "100h"), &["O0=0 W1=100h", "O0=1 W1=100h"]);
+    // Unsigned; a preset of 0 is over at once, without it the counter is cleared.
+    follow("I0=1 W1=8000h", &timer("W1", "7FFFh"), &["O0=1 W1=8000h"]);
+    follow("I0=1 B1=7Fh", &timer("B1", "80h"), &["O0=0 B1=80h", "O0=1 B1=80h"]);
+    follow("I0=1", &timer("B1", "0"), &["O0=1 B1=0"]);
+    follow("W1=7", &timer("W1", "0"), &["O0=0 W1=0"]);
+    let counter = |count: &str| format!("{TOGGLE} / LOD CNST.3 / {count} / WR O0");
+    follow("B2=5", &counter("CD B1"), &["B1=0FFh B2=5"]);
+    follow("B1=0FFh B2=5", &counter("CU B1"), &["B1=0 B2=5"]);
+    follow("B1=99h B2=5", &counter("CUBCD B1"), &["B1=0 B2=5"]);
+    follow("W1=0FFh", &counter("CU W1"), &["W1=100h"]);
+    follow("W1=9", &counter("CU W1"), &["W1=0Ah"]);
+    follow("W1=99h", &counter("CUBCD W1"), &["W1=100h DR64=100h"]);
+    follow("W1=9999h", &counter("CUBCD W1"), &["W1=0"]);
+    follow("W1=100h", &counter("CD W1"), &["W1=0FFh DR64=0FFh"]);
+    // DR is what LOD would load.
+    follow("B1=7Fh", &counter("CU B1"), &["B1=80h O0=0 DR64=-128"]);
 }
 
 /// O7 is 1, 0, 1, 0, … from the first cycle on.

@@ -37,14 +37,14 @@ fn the_program_sees_what_is_forced_from_its_first_cycle_on() {
         assert_eq!(order(client, "force K_CW 1"), "P1IN.0 (K_CW) is forced to 1");
         assert_eq!(value(client, "P1IN.0"), "false (forced to 1)", "the program has not looked yet");
         client.go("continue", 1).expect("the next cycle");
-        assert_eq!([value(client, "K_CW"), value(client, "P1IN.0")], ["true", "true (forced)"]);
+        assert_eq!([value(client, "K_CW"), value(client, "P1IN.0")], ["true (forced)"; 2]);
 
         let mark = client.mark();
         client.request("restart", Value::Null).expect("a restart");
         let stop = client.event(mark, "stopped").expect("the break-point");
         assert_eq!(stop["reason"], "breakpoint", "the stop before the first statement is not shown");
         assert_eq!(value(client, "CYCLES").split(' ').next(), Some("1"), "it is the first cycle");
-        assert_eq!(value(client, "K_CW"), "true");
+        assert_eq!(value(client, "K_CW"), "true (forced)");
         says(client, mark, "1 bit is forced; `forced` lists them");
 
         order(client, "unforce K_CW");
@@ -68,7 +68,7 @@ fn the_machine_feels_what_is_forced_until_the_session_ends() {
     for _ in 0..8 {
         client.go("continue", 1).expect("the next cycle");
     }
-    assert_eq!([value(client, "SP_CW"), value(client, "P0OUT.0")], ["false", "false (forced to 1)"]);
+    assert_eq!([value(client, "SP_CW"), value(client, "P0OUT.0")], ["false (forced to 1)"; 2]);
     assert_eq!(value(client, "K_CW"), "true", "the contactor is on");
     client.set_breakpoints(&main, &[]).expect("none");
     let mark = client.mark();

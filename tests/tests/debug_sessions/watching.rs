@@ -74,3 +74,37 @@ fn a_running_program_is_watched_over_a_serial_line() {
     let Some(site) = Site::serial(&lathe) else { return };
     watch(&site, &lathe);
 }
+
+/// Numbers that need 64 bits, or are real, are not cut to the 32 bits that most lines work with.
+#[test]
+fn a_traced_line_shows_the_register_it_works_with() {
+    let lathe = Lathe::copy();
+    lathe.edit("main.plc", "BLOCKS:     DS 2", "BIG:        DS 4\nBLOCKS:     DS 2");
+    let code = [
+        ("LOD  CNST.100000", "DR 100000 (000186A0h)"),
+        ("STO  BIG", "DR 100000 (000186A0h)"),
+        ("LOD  BIG", "DR 100000 (000186A0h)"),
+        ("MULB BIG", "DR64 10000000000 (00000002540BE400h)"),
+        ("FL   0,BLOCK_BROKEN", "DR64 10000000000 (00000002540BE400h)"),
+        ("LOD  CNST.2.5", "DR_REAL 2.5"),
+        ("AD   CNST.0.25", "DR_REAL 2.75"),
+    ];
+    let lines = code.map(|(line, _)| line).join("\n        ");
+    lathe.edit("main.plc", "        LOD  CYCLES\n", &format!("        {lines}\n        LOD  CYCLES\n"));
+    let first = lathe.line("main.plc", "LOD  CNST.100000");
+
+    let mut adapter = Adapter::start();
+    let client = &mut adapter.client;
+    client.start(Site::embedded().launch(&lathe), &[]).expect("the program starts");
+    let path = lathe.path("main.plc");
+    let places = (0..code.len() as u32).map(|n| json!({ "path": path, "line": first + n }));
+    let places: Vec<Value> = places.collect();
+    client.request("technol/trace", json!({ "lines": places })).expect("a trace");
+    let ran = |b: &Value| b["lines"].as_array().is_some_and(|l| l.iter().all(|l| l["ran"] == true));
+    let body = client.event_where(Mark::START, "technol/trace", ran).expect("registers");
+    for (shown, (line, expected)) in body["lines"].as_array().expect("lines").iter().zip(code) {
+        let shown = shown["value"].as_str().expect("text");
+        assert_eq!(shown.split_once("  ").map(|(_, register)| register), Some(expected), "{line}: {body}");
+    }
+    client.disconnect(json!({})).expect("the adapter closes the connection");
+}

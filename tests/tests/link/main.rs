@@ -15,6 +15,7 @@ mod lathe;
 mod patient;
 
 mod bars;
+mod busy;
 mod forcing;
 mod killed;
 mod probe;

@@ -86,6 +86,30 @@ impl Probe {
         }
     }
 
+    /// Lets time pass until something is so; `false`: the link was lost before.
+    #[track_caller]
+    pub(crate) fn reaches(&mut self, world: &mut World, mut is_so: impl FnMut(&Probe) -> bool) -> bool {
+        let deadline = world.now + 60 * SECOND;
+        while !is_so(self) {
+            assert!(world.now < deadline, "it does not come: {:?}", self.events);
+            if self.lost.is_some() {
+                return false;
+            }
+            // A host that has just lost its link wants nothing more, and is asked whether it has.
+            let until = world.now + SECOND / 10;
+            self.pump(world, until);
+        }
+        true
+    }
+
+    /// The answer; none when the link is lost, and then it is not known whether the request was acted on.
+    #[track_caller]
+    pub(crate) fn try_ask(&mut self, world: &mut World, request: Request) -> Option<Response> {
+        let ticket = self.host.request(request);
+        self.reaches(world, |p| p.answers.contains_key(&ticket)).then_some(())?;
+        self.answers.remove(&ticket)
+    }
+
     #[track_caller]
     fn answer(&mut self, world: &mut World, ticket: Ticket) -> Response {
         self.until(world, "answer", |p| p.answers.contains_key(&ticket));

@@ -1,6 +1,9 @@
 use super::*;
 use std::time::{Duration, Instant};
+use technol_image::system;
 use technol_wire::message::Request;
+
+use crate::forcing::{MASKS, MASKS_LEN};
 
 /// Launched, running, and watching.
 fn watching(arguments: Value) -> (Setup, Value) {
@@ -13,8 +16,11 @@ fn set_count(setup: &Setup, value: u16) {
     setup.mock.state().memory[sample::COUNT as usize..][..2].copy_from_slice(&value.to_le_bytes());
 }
 
+/// Questions about values; what is forced is looked at apart from that.
 fn reads(setup: &Setup) -> usize {
-    setup.mock.asked_for(|r| matches!(r, Request::Read { .. })).len()
+    let masks = MASKS..MASKS + MASKS_LEN;
+    let of_values = |pieces: &[(u32, u16)]| pieces.iter().any(|(addr, _)| !masks.contains(addr));
+    setup.mock.asked_for(|r| matches!(r, Request::Read { pieces } if of_values(pieces))).len()
 }
 
 /// The next event after `mark` in which a watch has this value.
@@ -190,4 +196,69 @@ fn values_are_marked_while_the_link_is_lost_and_come_again_with_it() {
     set_count(&setup, 4);
     setup.mock.state().cut = false;
     told(&mut setup, mark, 0, "4 (0004h)");
+}
+
+#[test]
+fn what_is_forced_is_marked_while_the_program_runs_by_whomever_it_is_forced() {
+    let (mut setup, _) = watching(json!({ "period": 20, "watches": [
+        { "expression": "P1IN.0" }, { "expression": "KSMP" }, { "expression": "P1IN" }, { "expression": "SPINDLE" },
+    ]}));
+    let watch = |body: &Value, n: usize| {
+        let watch = &body["watches"][n];
+        (watch["value"].clone(), watch["port"].clone(), watch["forced"].clone())
+    };
+    let body = told(&mut setup, Mark::START, 1, "true");
+    assert_eq!(watch(&body, 0), (json!("true"), json!("P1IN.0"), Value::Null));
+    assert_eq!(watch(&body, 1), (json!("true"), json!("P1IN.0"), Value::Null), "a copy of it");
+
+    let mark = setup.client.mark();
+    let answer = setup.client.request("technol/force", json!({ "name": "KSMP", "value": 1 })).unwrap();
+    assert_eq!(answer["message"], "P1IN.0 (KSMP) is forced to 1");
+    let body = told(&mut setup, mark, 1, "true (forced)");
+    assert_eq!(watch(&body, 0).2, json!(1));
+    assert!(body["watches"][2]["value"].as_str().unwrap().ends_with("(forced .0=1)"), "{body}");
+    assert_eq!(watch(&body, 2).1, Value::Null, "only bits are forced from a menu");
+    let list = setup.client.event(mark, "technol/forced").unwrap();
+    let ours = json!({ "name": "P1IN.0", "symbol": "KSMP", "value": 1, "own": true, "both": false });
+    assert_eq!(list, json!({ "forced": [ours] }));
+
+    // Somebody else forces it to 0, which wins.
+    let mark = setup.client.mark();
+    setup.mock.state().memory[system::IN_FORCE_LOW as usize] = 1;
+    let body = told(&mut setup, mark, 1, "true (forced to 0, which wins over forced to 1)");
+    assert_eq!(watch(&body, 1).2, json!(0));
+
+    let mark = setup.client.mark();
+    setup.client.request("technol/force", json!({ "name": "KSMP", "value": null })).unwrap();
+    told(&mut setup, mark, 1, "true");
+    let list = setup.client.event(mark, "technol/forced").unwrap();
+    assert_eq!(list, json!({ "forced": [] }));
+}
+
+#[test]
+fn a_client_that_watches_nothing_is_not_told_what_is_forced() {
+    let mut setup = Setup::launched(vec![]);
+    let mark = setup.client.mark();
+    setup.client.request("technol/force", json!({ "name": "KSMP", "value": 1 })).unwrap();
+    setup.client.set_patience(Duration::from_millis(200));
+    assert!(setup.client.event(mark, "technol/forced").is_err());
+}
+
+/// VS Code forgets all threads of a running program when it is told that they are invalid, and then cannot pause it.
+#[test]
+fn mechanisms_that_start_and_rest_while_the_program_runs_are_told_as_threads() {
+    let mut setup = Setup::launched(vec![]);
+    setup.client.request("technol/subscribe", json!({ "mechanisms": true })).unwrap();
+    setup.client.request("threads", Value::Null).unwrap();
+    let started = |id: i64| move |b: &Value| b["reason"] == "started" && b["threadId"] == id;
+    setup.client.event_where(Mark::START, "thread", started(2)).unwrap();
+    let mark = setup.client.mark();
+    setup.mock.state().sequences[1].active = true;
+    setup.client.event_where(mark, "thread", started(3)).unwrap();
+    let mark = setup.client.mark();
+    setup.mock.state().sequences[1].active = false;
+    let rests = |b: &Value| b["reason"] == "exited" && b["threadId"] == 3;
+    setup.client.event_where(mark, "thread", rests).unwrap();
+    let areas = setup.client.event(mark, "invalidated").unwrap();
+    assert_eq!(areas["areas"], json!(["variables"]));
 }

@@ -6,20 +6,22 @@ mod telling;
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use dap::events::{Event, InvalidatedEventBody};
-use dap::types::InvalidatedAreas;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use technol_image::op::{Addr, Width};
-use technol_wire::message::{Item, ItemKind, Mode, Request as Ask, SequenceState, Subscription, feature};
+use technol_wire::message::{
+    Item, ItemKind, Mode, Request as Ask, SequenceState, Subscription, TracedLine as TracedStatement, feature,
+};
 
 use crate::errors::RequestError;
 use crate::expression::Named;
+use crate::forcing::{self, PortBits};
 use crate::live::plan::{CYCLE_MS, Plan, Wishes, plan};
 use crate::live::{Live, News};
 use crate::request::Request;
 use crate::target_link::Streamed;
+use crate::traced::register_behind;
 use crate::tree::Shown;
 
 use super::phase::Phase;
@@ -46,17 +48,23 @@ struct Watched {
 }
 
 enum What {
-    Item { item: Item, width: Option<Width> },
+    Item {
+        item: Item,
+        width: Option<Width>,
+        /// The port that it is, or is a copy of, and the masks that may force it.
+        port: Option<(PortBits, [Item; 2])>,
+    },
     Mechanism(u16),
     Constant(i64),
     Wrong(String),
 }
 
-/// A traced line.
-struct TracedLine {
+/// A traced line of the source.
+struct TracedSource {
     path: String,
     line: i64,
-    pcs: Vec<u32>,
+    /// Its statements, with what is shown of each.
+    statements: Vec<TracedStatement>,
 }
 
 /// What is watched, and what has been told about it.
@@ -71,7 +79,7 @@ pub(super) struct Watching {
     mechanisms: bool,
     /// In cycles.
     period: u16,
-    lines: Vec<TracedLine>,
+    lines: Vec<TracedSource>,
     /// Cells and when they were last looked at.
     interest: BTreeMap<(Addr, u8), Instant>,
     mechanisms_looked_at: Option<Instant>,
@@ -84,6 +92,7 @@ pub(super) struct Watching {
     told: Option<Instant>,
     trace_told: Option<Instant>,
     redrawn: Option<Instant>,
+    threads_told: Option<Instant>,
     /// The last thing said about the line.
     said: String,
 }
@@ -155,6 +164,11 @@ impl Watching {
         self.replan = Some(Instant::now());
     }
 
+    /// The client has views of its own that show values while the program runs.
+    pub(super) fn has_views(&self) -> bool {
+        self.asked.is_some()
+    }
+
     fn is_watching(&self) -> bool {
         !self.watches.is_empty() || self.mechanisms
     }
@@ -176,6 +190,7 @@ impl Session {
         let cycles = arguments.period.unwrap_or(100).div_ceil(CYCLE_MS).clamp(1, u32::from(u16::MAX));
         watching.period = cycles as u16;
         watching.untold = true;
+        self.forcing.look_again();
         let note = self.replan();
         let watches = self.watching.watches.iter().map(|w| {
             let error = if let What::Wrong(why) = &w.what { Some(why) } else { None };
@@ -204,7 +219,10 @@ impl Session {
             };
             answers.push(json!({ "path": asked.path, "line": asked.line, "error": error }));
             if error.is_none() {
-                lines.push(TracedLine { path: asked.path.clone(), line: asked.line, pcs });
+                let statement =
+                    |pc: &u32| TracedStatement { pc: *pc, register: register_behind(&debuggee.program, *pc) };
+                let statements = pcs.iter().map(statement).collect();
+                lines.push(TracedSource { path: asked.path.clone(), line: asked.line, statements });
             }
         }
         self.watching.traced = Some(request.arguments.clone());
@@ -221,12 +239,16 @@ impl Session {
             Ok(Named::Thing(Shown::Mechanism(sequence) | Shown::Detail(sequence, _))) => {
                 What::Mechanism(sequence)
             }
-            Ok(Named::Thing(Shown::Bit { addr, bit })) => {
-                What::Item { item: item(addr, ItemKind::Bit(bit), asked.mode), width: None }
-            }
-            Ok(Named::Thing(Shown::Cell { addr, width })) => {
-                What::Item { item: item(addr, kind(width, asked.mode), asked.mode), width: Some(width) }
-            }
+            Ok(Named::Thing(shown @ Shown::Bit { addr, bit })) => What::Item {
+                item: item(addr, ItemKind::Bit(bit), asked.mode),
+                width: None,
+                port: self.watched_port(&shown),
+            },
+            Ok(Named::Thing(shown @ Shown::Cell { addr, width })) => What::Item {
+                item: item(addr, kind(width, asked.mode), asked.mode),
+                width: Some(width),
+                port: self.watched_port(&shown),
+            },
             Ok(Named::Thing(Shown::Register(_) | Shown::Machine(_) | Shown::Pushed(_))) => {
                 What::Wrong("a register changes with each line; trace a line to see it".into())
             }
@@ -236,6 +258,13 @@ impl Session {
             Err(error) => What::Wrong(error.to_string()),
         };
         Watched { expression: asked.expression.clone(), hex: asked.hex, what }
+    }
+
+    /// The masks are watched along: a value that is forced is never shown as if it were sensed.
+    fn watched_port(&self, shown: &Shown) -> Option<(PortBits, [Item; 2])> {
+        let (bits, (low, high)) = forcing::forcible(&self.debuggee.as_ref()?.ports, shown)?;
+        let mask = |addr| item(addr, ItemKind::Unsigned(1), WatchMode::Change);
+        Some((bits, [mask(low), mask(high)]))
     }
 
     /// Somebody looks at a cell while the program runs: its value, if a stream tells it. It is followed from now on.
@@ -285,9 +314,11 @@ impl Session {
             self.watching.untold |= news.variables || news.mechanisms;
         }
         self.lose_interest();
+        self.tell_changed_forces();
         if self.watching.replan.is_some_and(|at| Instant::now() >= at) {
             self.replan();
         }
+        self.tell_threads();
         self.tell_watches();
         self.redraw();
     }
@@ -311,7 +342,14 @@ impl Session {
         let mut wishes = Wishes { period: watching.period.max(1), ..Wishes::default() };
         for watched in &watching.watches {
             match &watched.what {
-                What::Item { item, .. } if !wishes.watches.contains(item) => wishes.watches.push(*item),
+                What::Item { item, port, .. } => {
+                    let masks = port.iter().flat_map(|(_, masks)| masks);
+                    for item in std::iter::once(item).chain(masks) {
+                        if !wishes.watches.contains(item) {
+                            wishes.watches.push(*item);
+                        }
+                    }
+                }
                 What::Mechanism(sequence) if !wishes.mechanisms.contains(sequence) => {
                     wishes.mechanisms.push(*sequence);
                 }
@@ -323,8 +361,8 @@ impl Session {
         {
             wishes.mechanisms = debuggee.debug.mechanisms.iter().map(|m| m.sequence).collect();
         }
-        wishes.trace = watching.lines.iter().flat_map(|l| l.pcs.iter().copied()).collect();
-        wishes.trace.sort_unstable();
+        wishes.trace = watching.lines.iter().flat_map(|l| l.statements.iter().copied()).collect();
+        wishes.trace.sort_unstable_by_key(|line| line.pc);
         wishes.trace.dedup();
         let looked_at = watching.interest.keys().map(|(addr, bytes)| Item {
             addr: *addr,
@@ -340,9 +378,12 @@ impl Session {
         self.watching.replan = None;
         let mut wishes = self.wishes();
         let target = self.target.as_mut()?;
+        wishes.any_register = target.features() & feature::TRACED_REGISTERS != 0;
         let mut missing = None;
         if target.features() & feature::STREAMS == 0 {
-            let wanted = wishes != Wishes { period: wishes.period, ..Wishes::default() };
+            let nothing =
+                Wishes { any_register: wishes.any_register, period: wishes.period, ..Wishes::default() };
+            let wanted = wishes != nothing;
             missing = wanted
                 .then(|| "the target does not tell values while the program runs; update it".to_owned());
             wishes = Wishes::default();
@@ -372,63 +413,6 @@ impl Session {
             self.watching.said.clone_from(note);
         }
         note
-    }
-
-    /// Events with values, for clients that asked for them.
-    fn tell_watches(&mut self) {
-        let watching = &self.watching;
-        if !watching.live.has_samples() {
-            return; // nothing has come yet
-        }
-        let period = Duration::from_millis(u64::from(watching.period) * u64::from(CYCLE_MS));
-        let is_due = |told: Option<Instant>, pause| told.is_none_or(|at| at.elapsed() >= pause);
-        let values =
-            watching.is_watching() && watching.untold && is_due(watching.told, LEAST_PAUSE.max(period));
-        let lines =
-            !watching.lines.is_empty() && watching.news.trace && is_due(watching.trace_told, LEAST_PAUSE);
-        if values {
-            let body = self.watch_body();
-            self.out.custom("technol/watch", &body);
-            self.watching.live.told();
-            self.watching.untold = false;
-            self.watching.told = Some(Instant::now());
-        }
-        if lines {
-            let body = self.trace_body();
-            self.out.custom("technol/trace", &body);
-            self.watching.news.trace = false;
-            self.watching.trace_told = Some(Instant::now());
-        }
-    }
-
-    /// Asks views of the client's own to look again, when what they show has changed.
-    fn redraw(&mut self) {
-        let watching = &self.watching;
-        let of_interest = !watching.interest.is_empty() || watching.mechanisms_looked_at.is_some();
-        if !self.client.invalidated || self.phase != Phase::Running || !of_interest {
-            return;
-        }
-        // Who looks for the first time sees what there is.
-        let Some(redrawn) = watching.redrawn else {
-            self.watching.redrawn = Some(Instant::now());
-            return;
-        };
-        let changed = watching.news.variables || watching.news.mechanisms;
-        if redrawn.elapsed() < if changed { REDRAW } else { REFRESH } {
-            return;
-        }
-        let mut areas = vec![InvalidatedAreas::Variables];
-        if watching.mechanisms_looked_at.is_some() && watching.news.mechanisms {
-            areas.push(InvalidatedAreas::Threads);
-        }
-        self.watching.redrawn = Some(Instant::now());
-        self.watching.news.variables = false;
-        self.watching.news.mechanisms = false;
-        self.out.event(&Event::Invalidated(InvalidatedEventBody {
-            areas: Some(areas),
-            thread_id: None,
-            stack_frame_id: None,
-        }));
     }
 
     /// The program has been loaded anew: the client's watches are looked up in it.

@@ -18,7 +18,7 @@ struct Known {
 
 /// What became of a frame.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Taken {
+pub enum Taken {
     /// A sample. `full`: it told number and cycle in full.
     Sample {
         /// What it says.
@@ -34,7 +34,7 @@ pub(crate) enum Taken {
 
 /// Reads the samples of one stream.
 #[derive(Clone, Debug)]
-pub(crate) struct Decoder {
+pub struct SampleDecoder {
     id: u8,
     layout: Layout,
     last: Option<Known>,
@@ -43,19 +43,21 @@ pub(crate) struct Decoder {
     distance: u32,
 }
 
-impl Decoder {
-    pub(crate) fn new(id: u8, layout: Layout) -> Self {
-        Decoder { id, layout, last: None, whole: None, distance: 0 }
+impl SampleDecoder {
+    /// For the frames of the stream with this number.
+    #[must_use]
+    pub fn new(id: u8, layout: Layout) -> Self {
+        SampleDecoder { id, layout, last: None, whole: None, distance: 0 }
     }
 
     /// After so long a silence the low bits of a number say nothing any more.
-    pub(crate) fn forget(&mut self) {
+    pub fn forget(&mut self) {
         self.last = None;
         self.whole = None;
     }
 
-    /// Takes the payload of a frame of this stream.
-    pub(crate) fn take(&mut self, seq: u8, payload: &[u8]) -> Taken {
+    /// Takes the payload of a frame of this stream; `seq` is that of the frame.
+    pub fn take(&mut self, seq: u8, payload: &[u8]) -> Taken {
         self.read(seq, payload).unwrap_or(Taken::Gap)
     }
 

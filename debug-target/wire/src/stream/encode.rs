@@ -222,7 +222,7 @@ fn put_varint(mut value: u32, out: &mut Vec<u8>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::decode::{Decoder, Taken};
+    use super::super::decode::{SampleDecoder, Taken};
     use super::*;
     use crate::frame::{self, kind};
     use crate::message::{Item, ItemKind, Mode, Subject, Subscription};
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn samples_look_like_this_on_the_line() {
         let mut encoder = Encoder::new(5, layout(), 0, false);
-        let mut decoder = Decoder::new(5, layout());
+        let mut decoder = SampleDecoder::new(5, layout());
         let mut payload = Vec::new();
         let mut lines = Vec::new();
         for (number, values, whole) in [

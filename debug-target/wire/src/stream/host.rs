@@ -4,7 +4,7 @@ use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use super::Sample;
-use super::decode::{Decoder, Taken};
+use super::decode::{SampleDecoder, Taken};
 use super::layout::Layout;
 use crate::message::Subscription;
 
@@ -34,7 +34,7 @@ pub enum Freshness {
 #[derive(Clone, Debug)]
 struct Heard {
     subscription: Subscription,
-    decoder: Decoder,
+    decoder: SampleDecoder,
     freshness: Freshness,
     /// When a frame of it came last; at first when it began.
     at: u64,
@@ -58,7 +58,7 @@ impl Listener {
     /// A subscription was answered.
     pub(crate) fn open(&mut self, subscription: Subscription, now: u64) {
         let Ok(layout) = Layout::of(&subscription) else { return };
-        let decoder = Decoder::new(subscription.id, layout);
+        let decoder = SampleDecoder::new(subscription.id, layout);
         let (id, freshness) = (subscription.id, Freshness::Waiting);
         self.streams.insert(
             id,

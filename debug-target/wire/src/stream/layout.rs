@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::bits::mask;
-use crate::message::{Failure, Item, ItemKind, MOST_STREAMS, Mode, Subject, Subscription};
+use crate::message::{Failure, Item, ItemKind, MOST_STREAMS, Mode, Subject, Subscription, TracedRegister};
 
 /// Most bytes of a sample in front of its values: head, number, cycle.
 const FRONT: usize = 1 + 5 + 5;
@@ -51,6 +51,9 @@ impl Layout {
             Subject::Trace { pcs, wide } => {
                 let dr = if *wide { 64 } else { 32 };
                 widths = pcs.iter().flat_map(|_| [1, 1, 1, dr]).collect();
+            }
+            Subject::Lines(lines) => {
+                widths = lines.iter().flat_map(|line| [1, 1, 1, register_width(line.register)]).collect();
             }
         }
         Ok(Layout { widths, extremes })
@@ -118,6 +121,13 @@ fn width(kind: ItemKind) -> Option<u8> {
     }
 }
 
+fn register_width(register: TracedRegister) -> u8 {
+    match register {
+        TracedRegister::Dr32 => 32,
+        TracedRegister::Dr64 | TracedRegister::Real => 64,
+    }
+}
+
 /// Bytes of memory an item lies in.
 pub(crate) fn bytes(item: Item) -> usize {
     match item.kind {
@@ -130,6 +140,7 @@ pub(crate) fn bytes(item: Item) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::TracedLine;
 
     fn of(subject: Subject) -> Result<Vec<u8>, Failure> {
         Layout::of(&Subscription { id: 7, period: 1, subject }).map(|l| l.widths)
@@ -149,6 +160,9 @@ mod tests {
         );
         assert_eq!(of(Subject::Mechanisms(vec![3, 1])), Ok(vec![1, 16, 16, 32, 1, 16, 16, 32]));
         assert_eq!(of(Subject::Trace { pcs: vec![5], wide: true }), Ok(vec![1, 1, 1, 64]));
+        let lines = [(5, TracedRegister::Real), (9, TracedRegister::Dr32), (12, TracedRegister::Dr64)];
+        let lines = lines.map(|(pc, register)| TracedLine { pc, register }).to_vec();
+        assert_eq!(of(Subject::Lines(lines)), Ok(vec![1, 1, 1, 64, 1, 1, 1, 32, 1, 1, 1, 64]));
     }
 
     #[test]

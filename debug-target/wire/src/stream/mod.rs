@@ -11,6 +11,7 @@ mod target;
 
 use alloc::vec::Vec;
 
+pub use decode::{SampleDecoder, Taken};
 pub use host::Freshness;
 pub(crate) use host::Listener;
 pub use layout::Layout;

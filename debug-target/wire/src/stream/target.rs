@@ -6,7 +6,7 @@ use super::encode::Encoder;
 use super::fold::Watch;
 use super::layout::Layout;
 use crate::frame::{self, kind};
-use crate::message::{Failure, MOST_STREAMS, Subject, Subscription};
+use crate::message::{Failure, MOST_STREAMS, Subject, Subscription, TracedLine, TracedRegister};
 
 /// A stream that nobody has listened to for this long ends, in microseconds.
 const UNHEARD: u64 = 5_000_000;
@@ -47,7 +47,7 @@ pub enum Ran {
 }
 
 /// Registers behind a line, for a stream.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TraceSample {
     /// When the line ran: the registers are those of that time, and nothing when it did not.
     pub ran: Ran,
@@ -55,6 +55,17 @@ pub struct TraceSample {
     pub rlo: bool,
     /// DR.
     pub dr: i64,
+    /// DR_REAL; 0 where the line does not work with it.
+    pub dr_real: f64,
+}
+
+impl TraceSample {
+    fn register(&self, register: TracedRegister) -> u64 {
+        match register {
+            TracedRegister::Dr32 | TracedRegister::Dr64 => self.dr as u64,
+            TracedRegister::Real => self.dr_real.to_bits(),
+        }
+    }
 }
 
 /// Where samples are taken from.
@@ -71,7 +82,7 @@ pub trait SampleSource {
 enum Sampler {
     Variables(Watch),
     Mechanisms(Vec<u16>),
-    Trace(Vec<u32>),
+    Trace(Vec<TracedLine>),
 }
 
 #[derive(Clone, Debug)]
@@ -122,11 +133,12 @@ impl Stream {
                     values.copy_from_slice(&line);
                 }
             }
-            Sampler::Trace(pcs) => {
-                for (pc, values) in pcs.iter().zip(self.values.chunks_exact_mut(4)) {
-                    let now = source.traced(*pc);
+            Sampler::Trace(lines) => {
+                for (line, values) in lines.iter().zip(self.values.chunks_exact_mut(4)) {
+                    let now = source.traced(line.pc);
                     let (ever, last) = (now.ran != Ran::Never, now.ran == Ran::Now);
-                    let line = [u64::from(ever), u64::from(last), u64::from(now.rlo), now.dr as u64];
+                    let register = now.register(line.register);
+                    let line = [u64::from(ever), u64::from(last), u64::from(now.rlo), register];
                     values.copy_from_slice(&line);
                 }
             }
@@ -203,7 +215,12 @@ impl Streams {
         let sampler = match &subscription.subject {
             Subject::Variables(items) => Sampler::Variables(Watch::new(items, source.memory())?),
             Subject::Mechanisms(sequences) => Sampler::Mechanisms(sequences.clone()),
-            Subject::Trace { pcs, .. } => Sampler::Trace(pcs.clone()),
+            Subject::Trace { pcs, .. } => {
+                // The width of the layout cuts what is not asked for.
+                let line = |pc: &u32| TracedLine { pc: *pc, register: TracedRegister::Dr64 };
+                Sampler::Trace(pcs.iter().map(line).collect())
+            }
+            Subject::Lines(lines) => Sampler::Trace(lines.clone()),
         };
         let period = u64::from(subscription.period) * CYCLE;
         let first_patience = period.clamp(FIRST_HEARTBEAT, LAST_HEARTBEAT);
@@ -254,10 +271,11 @@ impl Streams {
 
     /// The operations that traced lines begin with.
     pub fn traced(&self) -> impl Iterator<Item = u32> + '_ {
-        let lines = |stream: &Stream| {
-            if let Sampler::Trace(pcs) = &stream.sampler { pcs.clone() } else { Vec::new() }
-        };
-        self.places.iter().flatten().flat_map(lines)
+        let lines = self.places.iter().flatten().filter_map(|stream| match &stream.sampler {
+            Sampler::Trace(lines) => Some(lines),
+            _ => None,
+        });
+        lines.flatten().map(|line| line.pc)
     }
 
     /// There are items that are looked at between samples: [`Streams::observe`] is of use.

@@ -139,7 +139,7 @@ fn a_trace_of_forty_lines_each_cycle_takes_a_seventh_of_the_line() {
     let subject = Subject::Trace { pcs: pcs.clone(), wide: false };
     let mut world = World::new(1, 1);
     for pc in &pcs {
-        world.plant.traced.insert(*pc, TraceSample { ran: Ran::Now, rlo: false, dr: 0 });
+        world.plant.traced.insert(*pc, TraceSample { ran: Ran::Now, ..TraceSample::default() });
     }
     world.run(SECOND / 10, |_| {});
     world.host.request(Request::Subscribe(Subscription { id: 2, period: 1, subject }));

@@ -6,7 +6,9 @@ use std::path::Path;
 use std::process::Command;
 
 use serde_json::{Value, json};
-use technol_wire::message::{Item, ItemKind, Mode, Request, Subject, Subscription};
+use technol_wire::message::{
+    Item, ItemKind, Mode, Request, Subject, Subscription, TracedLine, TracedRegister,
+};
 use technol_wire::{MechanismSample, Ran, TraceSample};
 
 use super::variables;
@@ -19,7 +21,7 @@ fn hex(bytes: &[u8]) -> String {
     })
 }
 
-fn subscriptions() -> [(&'static str, Subscription); 3] {
+fn subscriptions() -> [(&'static str, Subscription); 4] {
     let item = |addr, kind, mode| Item { addr, kind, mode };
     let items = vec![
         item(0, ItemKind::Bit(7), Mode::Value),
@@ -31,10 +33,14 @@ fn subscriptions() -> [(&'static str, Subscription); 3] {
         item(17, ItemKind::Real, Mode::Extremes),
     ];
     let trace = Subject::Trace { pcs: (0..9).collect(), wide: true };
+    let registers = [TracedRegister::Dr32, TracedRegister::Real, TracedRegister::Dr64];
+    let lines = (0..9).zip(registers.into_iter().cycle()).map(|(pc, register)| TracedLine { pc, register });
+    let lines = lines.collect();
     [
         ("variables", variables(6, 2, items)),
         ("mechanisms", Subscription { id: 1, period: 5, subject: Subject::Mechanisms(vec![4, 0, 2]) }),
         ("trace", Subscription { id: 7, period: 1, subject: trace }),
+        ("lines", Subscription { id: 0, period: 3, subject: Subject::Lines(lines) }),
     ]
 }
 
@@ -51,7 +57,8 @@ fn live(world: &mut World, random: &mut Random) {
         world.plant.mechanisms.insert(random.below(5) as u16, now);
     }
     let ran = if random.percent(80) { Ran::Now } else { Ran::Before };
-    let line = TraceSample { ran, rlo: random.percent(50), dr: random.next() as i64 >> 40 };
+    let dr = random.next() as i64 >> 40;
+    let line = TraceSample { ran, rlo: random.percent(50), dr, dr_real: dr as f64 / 64.0 };
     world.plant.traced.insert(random.below(9) as u32, line);
     // Held now and then.
     if world.number % 80 < 10 {

@@ -163,8 +163,10 @@ FILE_ANSWER = variants(
 )
 ITEM_KIND = variants(("Bit", U8), ("Unsigned", U8), ("Signed", U8), ("Real", None))
 ITEM = fields(addr=UINT, kind=ITEM_KIND, mode=words("Value OnChange Extremes Edges"))
+TRACED_LINE = fields(pc=UINT, register=words("Dr32 Dr64 Real"))
 SUBJECT = variants(
-    ("Variables", many(ITEM)), ("Mechanisms", many(UINT)), ("Trace", fields(pcs=many(UINT), wide=FLAG)))
+    ("Variables", many(ITEM)), ("Mechanisms", many(UINT)), ("Trace", fields(pcs=many(UINT), wide=FLAG)),
+    ("Lines", many(TRACED_LINE)))
 REQUEST = variants(
     ("Hello", fields(version=UINT, session=UINT)),
     ("Status", None),

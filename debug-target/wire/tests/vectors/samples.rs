@@ -7,7 +7,7 @@ use technol_wire::message::{
     Frame, Limits, LostPolicy, PROTOCOL_VERSION, PlcState, Registers, Request, Response, Resume,
     SequenceState, Status, StopReason, Stopped, feature,
 };
-use technol_wire::message::{Item, ItemKind, Mode, Subject, Subscription};
+use technol_wire::message::{Item, ItemKind, Mode, Subject, Subscription, TracedLine, TracedRegister};
 
 const HASH: [u8; 16] = [0, 1, 127, 128, 255, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
 
@@ -91,6 +91,15 @@ pub(crate) fn requests() -> Vec<Request> {
             id: 7,
             period: 1,
             subject: Subject::Trace { pcs: vec![1, 300], wide: true },
+        }),
+        Request::Subscribe(Subscription {
+            id: 6,
+            period: 2,
+            subject: Subject::Lines(
+                [(1, TracedRegister::Dr32), (300, TracedRegister::Dr64), (70_000, TracedRegister::Real)]
+                    .map(|(pc, register)| TracedLine { pc, register })
+                    .to_vec(),
+            ),
         }),
         Request::Unsubscribe { id: 3 },
         Request::Echo { bytes: vec![0, 1, 2] },

@@ -25,6 +25,9 @@ def widths(subject):
         return [1, 16, 16, 32] * len(what), False
     if kind == "Trace":
         return [1, 1, 1, 64 if what["wide"] else 32] * len(what["pcs"]), False
+    if kind == "Lines":
+        register = {"Dr32": 32, "Dr64": 64, "Real": 64}
+        return [bits for line in what for bits in [1, 1, 1, register[line["register"]]]], False
     bits, extremes = [], False
     for item in what:
         form = item["kind"]

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::{env, fs, thread};
 
-use super::record::{FOLDER, NOT_LOADED, Places, Recorded, WITHOUT, file_name};
+use super::record::{FOLDER, MUTANTS, Meeting, NOT_LOADED, NOTICED};
 
 fn tests(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env::current_exe().expect("this program"));
@@ -33,78 +33,94 @@ fn threads() -> usize {
     thread::available_parallelism().map_or(1, Into::into)
 }
 
-/// The uses for which no test fails when the lines with them are left out.
-pub(super) fn survivors(
-    folder: &Path,
-    required: &BTreeSet<String>,
-    recorded: &BTreeMap<String, Recorded>,
-) -> BTreeSet<String> {
-    let (known, mut survivors): (Vec<_>, BTreeSet<_>) = partition(required, recorded);
-    // Uses on the same lines share their answer.
-    let mut groups: BTreeMap<&Places, Vec<&String>> = BTreeMap::new();
-    for using in known {
-        groups.entry(&recorded[using].places).or_default().push(using);
-    }
-    let mut open: Vec<Open<'_>> = groups
-        .into_values()
-        .map(|uses| Open { tests: recorded[uses[0]].tests.iter().collect(), uses })
-        .collect();
+/// Mutants that no test tells from the program.
+pub(super) fn survivors(folder: &Path, mutants: Vec<Open<'_>>) -> BTreeSet<String> {
+    let mut survivors = BTreeSet::new();
+    let mut open = mutants;
     while !open.is_empty() {
-        let round = next_round(&mut open);
-        let noticed = failed(folder, &round);
-        open.retain(|group| !noticed.contains(group.uses[0]));
-        let (given_up, rest) = open.into_iter().partition(|group: &Open<'_>| group.tests.is_empty());
+        let rounds = next_rounds(&mut open);
+        let noticed: BTreeSet<String> = thread::scope(|scope| {
+            let runs: Vec<_> = (0..)
+                .zip(&rounds)
+                .map(|(number, round)| scope.spawn(move || noticed(folder, number, round)))
+                .collect();
+            runs.into_iter().flat_map(|run| run.join().expect("the tests ran")).collect()
+        });
+        open.retain(|mutant| !noticed.contains(mutant.names[0]));
+        let (given_up, rest) = open.into_iter().partition(|mutant: &Open<'_>| mutant.tests.is_empty());
         open = rest;
-        survivors.extend(given_up.into_iter().flat_map(|group: Open<'_>| group.uses).cloned());
+        survivors.extend(given_up.into_iter().flat_map(|mutant: Open<'_>| mutant.names).cloned());
     }
     survivors
 }
 
-/// Uses on the same lines that no test has noticed so far.
-struct Open<'a> {
-    uses: Vec<&'a String>,
+/// A mutant that no test has noticed so far.
+pub(super) struct Open<'a> {
+    /// Its names: uses on the same lines are one mutant.
+    names: Vec<&'a String>,
     /// Tests that were not tried yet.
-    tests: VecDeque<&'a String>,
+    tests: VecDeque<&'a Meeting>,
 }
 
-/// For each test at most one use to leave out.
-fn next_round<'a>(open: &mut [Open<'a>]) -> BTreeMap<&'a str, &'a str> {
-    let mut round = BTreeMap::new();
-    for group in open {
-        if let Some(at) = group.tests.iter().position(|test| !round.contains_key(test.as_str()))
-            && let Some(test) = group.tests.remove(at)
-        {
-            round.insert(test.as_str(), group.uses[0].as_str());
-        }
+impl<'a> Open<'a> {
+    /// A mutant of the programs that these tests load.
+    pub(super) fn new(names: Vec<&'a String>, tests: &'a [Meeting]) -> Open<'a> {
+        Open { names, tests: tests.iter().collect() }
     }
-    round
 }
 
-/// The uses that were noticed: their tests failed.
-fn failed(folder: &Path, round: &BTreeMap<&str, &str>) -> BTreeSet<String> {
-    let without: Vec<String> = round.iter().map(|(test, using)| format!("{test}={using}")).collect();
-    let threads = threads().max(2).to_string();
-    let mut arguments = vec!["--exact", "--test-threads", &threads];
+/// The tests of a process, each with the mutants that it meets.
+type Round<'a> = BTreeMap<&'a str, Vec<&'a str>>;
+
+/// Each mutant meets a test in one of the processes. A test that is no table can meet one only.
+fn next_rounds<'a>(open: &mut [Open<'a>]) -> Vec<Round<'a>> {
+    let mut rounds = vec![Round::new(); threads()];
+    let mut taken: Vec<BTreeSet<&str>> = vec![BTreeSet::new(); rounds.len()];
+    for (number, mutant) in open.iter_mut().enumerate() {
+        let process = number % rounds.len();
+        let (round, taken) = (&mut rounds[process], &mut taken[process]);
+        let free = |meeting: &&Meeting| {
+            if meeting.single { !round.contains_key(&*meeting.test) } else { !taken.contains(&*meeting.test) }
+        };
+        let Some(at) = mutant.tests.iter().position(free) else { continue };
+        let Some(meeting) = mutant.tests.remove(at) else { continue };
+        if meeting.single {
+            taken.insert(&meeting.test);
+        }
+        round.entry(&meeting.test).or_default().push(mutant.names[0]);
+    }
+    rounds.retain(|round| !round.is_empty());
+    rounds
+}
+
+/// The mutants that were noticed: their tests failed, or rows of tables did.
+fn noticed(folder: &Path, process: usize, round: &Round<'_>) -> BTreeSet<String> {
+    let (plan, rows) = (folder.join(format!("plan-{process}")), folder.join(format!("noticed-{process}")));
+    let mutants =
+        round.iter().flat_map(|(test, mutants)| mutants.iter().map(move |it| format!("{test}={it}\n")));
+    fs::write(&plan, mutants.collect::<String>()).expect("a file");
+    fs::write(&rows, "").expect("a file");
+    let mut arguments = vec!["--exact", "--test-threads", "2"];
     arguments.extend(round.keys());
     let mut command = tests(folder, &arguments);
-    let output =
-        command.env(WITHOUT, without.join("\n")).env("RUST_BACKTRACE", "0").output().expect("it starts");
+    command.env(MUTANTS, plan).env(NOTICED, &rows).env("RUST_BACKTRACE", "0");
+    let output = command.output().expect("it starts");
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("test result:"), "the tests broke off:\n{text}");
-    let failed = text.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
-    let not_loaded = folder.join(NOT_LOADED);
-    failed
-        .filter(|test| fs::remove_file(not_loaded.join(file_name(test))).is_err())
-        .filter_map(|test| round.get(test))
-        .map(|using| (*using).to_owned())
-        .collect()
+    let mut noticed: BTreeSet<String> =
+        fs::read_to_string(rows).expect("a file").lines().map(str::to_owned).collect();
+    for test in text.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED")) {
+        if let Some([mutant]) = round.get(test).map(Vec::as_slice)
+            && !said(&text, test).contains(NOT_LOADED)
+        {
+            noticed.insert((*mutant).to_owned());
+        }
+    }
+    noticed
 }
 
-/// Those that a program has, and those that none has.
-fn partition<'a>(
-    required: &'a BTreeSet<String>,
-    recorded: &BTreeMap<String, Recorded>,
-) -> (Vec<&'a String>, BTreeSet<String>) {
-    let (known, unknown): (Vec<_>, Vec<_>) = required.iter().partition(|using| recorded.contains_key(*using));
-    (known, unknown.into_iter().cloned().collect())
+/// What a failed test said.
+fn said<'a>(output: &'a str, test: &str) -> &'a str {
+    let Some((_, said)) = output.split_once(&format!("---- {test} stdout ----")) else { return "" };
+    said.split("\n---- ").next().unwrap_or_default()
 }
