@@ -97,11 +97,16 @@ pub struct CanUnit {
     said: [u32; MEMBERS.len()],
     /// The cable is cut.
     lost: bool,
+    /// Its error register at the last look.
+    error: u32,
+    /// What the control has put into ERR_CODE; something else there is the unit's own.
+    last: u32,
 }
 
 impl Default for CanUnit {
     fn default() -> CanUnit {
-        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false };
+        let mut unit =
+            CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false, error: 0, last: 0 };
         unit.set("PRESENT", 1);
         unit.seen = unit.said;
         unit
@@ -148,10 +153,14 @@ impl CanUnit {
         if let Some(n) = member("ERROR") {
             self.seen[n] = error;
         }
-        // The last one is kept.
-        if error != 0 {
-            self.set("ERR_CODE", error);
+        // The last one is kept from when it arises.
+        if error != 0
+            && error != self.error
+            && let Some(n) = member("ERR_CODE").filter(|n| self.said[*n] == self.last)
+        {
+            (self.said[n], self.last) = (error, error);
         }
+        self.error = error;
     }
 
     /// Nobody answers, and the program wants to know.
