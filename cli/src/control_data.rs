@@ -13,9 +13,10 @@ use technol_analysis::configuration::places::{Place, place};
 use technol_analysis::configuration::table::{self, ColumnKind, TableDefinition};
 use technol_analysis::configuration::{ConfigKind, Contents, control_bytes, control_text, read};
 use technol_analysis::project::LoadedProject;
+use technol_machine::motion::config::Gear;
 use technol_machine::{
     Analog, ChannelWiring, Column, Connection, ControlData, Conversion, MachineConfig, Mapping, MessageKind,
-    MessageText, Physical, Table, Value, ValueKind,
+    MessageText, Physical, SpindleGears, Table, Value, ValueKind,
 };
 use technol_target::{EventLog, Keep, TableWriter};
 
@@ -86,6 +87,7 @@ fn collect(project: &LoadedProject) -> (ControlData, Vec<Source>) {
                 }
                 data.wiring.points.extend(channel.points.iter().filter_map(mapping));
                 data.wiring.connections.extend(connections(&channel));
+                data.gears.extend(channel.spindles.iter().filter_map(gears));
                 let small = |number: i64| u8::try_from(number).ok();
                 let groups = channel.m_functions.iter();
                 data.m_groups.extend(groups.filter_map(|it| Some((small(it.number)?, small(it.group)?))));
@@ -134,6 +136,19 @@ fn mapping(it: &Point) -> Option<Mapping> {
         physical,
         connected: it.connected == Some(true),
         default: it.default.trim().parse().unwrap_or(0.0),
+    })
+}
+
+/// The gears of a spindle; `None` when there is no such spindle. Speeds are whole numbers.
+fn gears(it: &channel::Spindle) -> Option<SpindleGears> {
+    let gear = |(speed, output): &(f64, i64)| {
+        let max_output = u16::try_from(*output).ok()?;
+        Some(Gear { max_speed: speed.round() as u32, max_output })
+    };
+    Some(SpindleGears {
+        spindle: u8::try_from(it.number).ok()?,
+        speed_limit: it.speed_limit.round() as u32,
+        gears: it.gears.iter().filter_map(gear).collect(),
     })
 }
 

@@ -7,8 +7,12 @@ use technol_analysis::diagnostics::rules::project::MACHINE_FILE;
 use technol_analysis::project::LoadedProject;
 use technol_analysis::{Analysis, AnalysisHost, Change, Diagnostic, Position, Span};
 use technol_dap::Disk;
+use technol_image::{DebugInfo, Program};
+use technol_machine::MachineConfig;
+use technol_target::MachineFileError;
 
 use crate::exit::Failure;
+use crate::identifiers;
 
 /// A project read from disk and its analysis.
 pub(crate) struct Project {
@@ -38,6 +42,25 @@ impl Project {
         Ok(Project { loaded: Arc::new(loaded), analysis: host.analysis(), machine_file })
     }
 
+    /// The machine behind a program of the project; what it says must fit to that.
+    pub(crate) fn machine_for(
+        &self,
+        program: &Program,
+        debug: &DebugInfo,
+    ) -> Result<Option<MachineConfig>, Failure> {
+        let Some(path) = self.machine() else { return Ok(None) };
+        let first = |mut errors: Vec<MachineFileError>| {
+            errors.sort_by_key(|error| (error.line, error.col));
+            Failure::usage(errors.first().map(ToString::to_string).unwrap_or_default())
+        };
+        let Some((_, text)) = &self.machine_file else {
+            // Says why it cannot be read.
+            return technol_target::load_machine(&path).map(Some).map_err(|error| first(vec![error]));
+        };
+        let mistakes = |config: &MachineConfig| identifiers::mistaken(config, program, debug);
+        technol_target::parse_machine_for(&path, text, mistakes).map(Some).map_err(first)
+    }
+
     /// The path of a project file as a user of this shell would write it.
     pub(crate) fn display(&self, file: &str) -> PathBuf {
         Path::new(&self.loaded.root).join(file)
@@ -61,7 +84,17 @@ impl Project {
     fn machine_findings(&self) -> Vec<Diagnostic> {
         let Some(path) = self.machine() else { return Vec::new() };
         let errors = match &self.machine_file {
-            Some((_, text)) => technol_target::parse_machine(&path, text).err().unwrap_or_default(),
+            Some((_, text)) => {
+                let built = self.analysis.build().ok().and_then(Result::ok);
+                let image = built.map(|built| built.image);
+                let debug = image.as_ref().and_then(|image| Some((&image.program, image.debug.as_ref()?)));
+                let mistakes = |config: &MachineConfig| {
+                    debug.map_or_else(Vec::new, |(program, debug)| {
+                        identifiers::mistaken(config, program, debug)
+                    })
+                };
+                technol_target::parse_machine_for(&path, text, mistakes).err().unwrap_or_default()
+            }
             // Says why it cannot be read.
             None => technol_target::load_machine(&path).err().into_iter().collect(),
         };

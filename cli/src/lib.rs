@@ -11,6 +11,7 @@ mod exit;
 mod explain;
 mod files;
 mod fmt;
+mod identifiers;
 mod link;
 mod out;
 mod paint;

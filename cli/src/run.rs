@@ -26,10 +26,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Outcome {
     let built = crate::build::image(&project)?;
     let Image { program, debug } = built.image;
     let debug = debug.ok_or_else(|| Failure::usage("the build has no debug information"))?;
-    let machine = match project.machine() {
-        Some(path) => Some(technol_target::load_machine(&path).map_err(|e| Failure::usage(e.to_string()))?),
-        None => None,
-    };
+    let machine = project.machine_for(&program, &debug)?;
     if arguments.explain_machine {
         let machine = machine.ok_or_else(|| {
             Failure::usage("no machine is described: name a file by `file` in `[machine]` of technol.toml")

@@ -41,7 +41,7 @@ pub use files::{FolderError, RemoteFolder};
 pub use keep::{Keep, TableWriter, replace};
 pub use link::{Limits, Link};
 pub use listen::{ListenError, Notice, listen_tcp, serve_listener, serve_serial};
-pub use machine_file::{MachineFileError, load_machine, parse_machine};
+pub use machine_file::{MachineFileError, load_machine, parse_machine, parse_machine_for};
 pub use pipe::{MemoryLink, pair};
 pub use recording::{RecordedLink, Recording, RecordingError, text_of_recording};
 pub use serial::{SerialLink, SerialPlace};

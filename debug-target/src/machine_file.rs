@@ -43,20 +43,32 @@ pub fn load_machine(path: &Path) -> Result<MachineConfig, MachineFileError> {
 /// # Errors
 /// Everything that is wrong, at least one error: the first syntax error, or all errors of meaning.
 pub fn parse_machine(path: &Path, text: &str) -> Result<MachineConfig, Vec<MachineFileError>> {
+    parse_machine_for(path, text, |_| Vec::new())
+}
+
+/// The same; what `mistakes` finds in a description that is right otherwise is an error, too.
+///
+/// # Errors
+/// As of [`parse_machine`].
+pub fn parse_machine_for(
+    path: &Path,
+    text: &str,
+    mistakes: impl FnOnce(&MachineConfig) -> Vec<ConfigError>,
+) -> Result<MachineConfig, Vec<MachineFileError>> {
     let error = |span: Option<Range<usize>>, message: String| {
         let (line, col) = position(text, span.map_or(0, |s| s.start));
         MachineFileError { file: path.to_owned(), line, col, message }
     };
     let config: MachineConfig =
         toml::from_str(text).map_err(|e| vec![error(e.span(), e.message().to_owned())])?;
-    match Plant::compile(&config, &|name| name.parse().ok()) {
-        Ok(_) => Ok(config),
-        Err(errors) => {
-            let table = DeTable::parse(text).ok();
-            let at = |e: &ConfigError| table.as_ref().and_then(|t| locate(t.get_ref(), e));
-            Err(errors.iter().map(|e| error(at(e), e.to_string())).collect())
-        }
+    let compiled = Plant::compile(&config, &|name| name.parse().ok());
+    let errors = compiled.err().unwrap_or_else(|| mistakes(&config));
+    if errors.is_empty() {
+        return Ok(config);
     }
+    let table = DeTable::parse(text).ok();
+    let at = |e: &ConfigError| table.as_ref().and_then(|t| locate(t.get_ref(), e));
+    Err(errors.iter().map(|e| error(at(e), e.to_string())).collect())
 }
 
 /// Where the text says what the error is about.

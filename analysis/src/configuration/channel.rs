@@ -26,6 +26,8 @@ pub struct Channel {
     pub ports: Vec<SerialPort>,
     /// M functions with a group of their own.
     pub m_functions: Vec<MFunction>,
+    /// Spindles that are in use.
+    pub spindles: Vec<Spindle>,
 }
 
 /// `Input`, `Output`, `AnalogInput`, `AnalogOutput`.
@@ -135,6 +137,17 @@ pub struct MFunction {
     pub place: Text,
 }
 
+/// `Spindle` with its gears.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spindle {
+    /// 1 or 2.
+    pub number: i64,
+    /// Greatest speed in rev/min; 0: that of the highest gear.
+    pub speed_limit: f64,
+    /// Greatest speed of each gear in rev/min and the output that belongs to it, in the order of their numbers.
+    pub gears: Vec<(f64, i64)>,
+}
+
 impl ParameterKind {
     /// As `Type` spells it.
     #[must_use]
@@ -191,6 +204,9 @@ pub(super) fn read(document: &Document, problems: &mut Vec<Problem>) -> Channel 
             _ => {}
         }
     }
+    channel
+        .spindles
+        .extend(document.named("Spindle").filter_map(|(n, element)| spindle(document, n, element)));
     for element in document.elements.iter().filter(|it| it.name.text.starts_with("Analog")) {
         limits(element, problems);
     }
@@ -282,6 +298,29 @@ fn port(element: &Element) -> Option<SerialPort> {
     let place = identifier(element, "No")?;
     let active = element.attribute("Active").and_then(Text::integer) == Some(1);
     Some(SerialPort { number: place.integer()?, place, active })
+}
+
+/// A spindle with gears; `GearCount` says how many of them are in use.
+fn spindle(document: &Document, index: usize, element: &Element) -> Option<Spindle> {
+    let real = |element: &Element, name: &str| {
+        let number = element.attribute(name)?.text.trim().parse::<f64>().ok()?;
+        number.is_finite().then_some(number)
+    };
+    let count = element.attribute("GearCount").and_then(Text::integer)?;
+    let gear = |it: &Element| {
+        let output = it.attribute("MaxOutput").and_then(Text::integer).unwrap_or(0x7FFF);
+        Some((it.attribute("No").and_then(Text::integer)?, (real(it, "MaxSpeed")?, output)))
+    };
+    let own = document.children(index).filter(|(_, it)| it.name.text == "Gear");
+    let mut gears: Vec<(i64, (f64, i64))> = own.filter_map(|(_, it)| gear(it)).collect();
+    gears.sort_by_key(|(number, _)| *number);
+    let gears: Vec<(f64, i64)> =
+        gears.into_iter().map(|(_, gear)| gear).take(usize::try_from(count).unwrap_or(0)).collect();
+    (!gears.is_empty()).then(|| Spindle {
+        number: element.attribute("No").map_or(Some(1), Text::integer).unwrap_or(1),
+        speed_limit: real(element, "SpeedLimit").unwrap_or(0.0),
+        gears,
+    })
 }
 
 /// One that has a fixed group cannot be moved out of it (8.3.5); what is wrong with one number alone was reported before.

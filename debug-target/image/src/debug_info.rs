@@ -158,6 +158,10 @@ impl DebugInfo {
     /// The line entry that covers `pc`.
     #[must_use]
     pub fn line_at(&self, pc: Pc) -> Option<&Line> {
+        // What comes from no operation comes from no line.
+        if pc == Pc::MAX {
+            return None;
+        }
         let n = self.lines.partition_point(|l| l.pc <= pc);
         self.lines.get(n.checked_sub(1)?)
     }

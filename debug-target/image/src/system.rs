@@ -117,6 +117,12 @@ pub const STATUS_RESTART: Addr = BLOCK + 0x30;
 /// CNT_NEXT_BLOCKS: WORD, number of prepared blocks.
 pub const CNT_NEXT_BLOCKS: Addr = BLOCK + 0x32;
 
+/// G23ACT: a continuous run is in progress.
+pub const G23ACT: BitRef = bit(0x08B7, 0);
+/// TIME_DIST: DWORD, milliseconds to the end of the continuous run.
+pub const TIME_DIST: Addr = 0x08B8;
+/// PRODLEVA: lamp of a dwell.
+pub const PRODLEVA: BitRef = bit(0x1354, 0);
 /// SF_RUN: functions are performed or axes move.
 pub const SF_RUN: BitRef = bit(0x1354, 1);
 /// SF_BLOCKINPROGR: a block is in progress.
@@ -127,6 +133,8 @@ pub const SF_BLOCKFINISHED: BitRef = bit(0x1354, 3);
 pub const SF_STOP: BitRef = bit(0x1354, 4);
 /// SF_NOTINPOS: the position is not reached.
 pub const SF_NOTINPOS: BitRef = bit(0x1354, 5);
+/// SF_DELAYINPROGR: a dwell runs.
+pub const SF_DELAYINPROGR: BitRef = bit(0x1354, 6);
 /// SF_CONDSTOPMODE: M01 stops.
 pub const SF_CONDSTOPMODE: BitRef = bit(0x1355, 2);
 /// SF_BACKWARD: the block runs backwards.

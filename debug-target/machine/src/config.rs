@@ -364,6 +364,10 @@ pub struct Control {
     pub emergency_stop: Option<Signals>,
     /// M01 stops.
     pub conditional_stop: bool,
+    /// Local time at power-on: `2026-03-01 06:30:00`.
+    pub clock: Option<String>,
+    /// What local time is ahead of UTC, in minutes.
+    pub utc_offset_min: i32,
 }
 
 /// An M function with a group of its own.

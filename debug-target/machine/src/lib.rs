@@ -37,8 +37,8 @@ pub use config::MachineConfig;
 pub use control::{
     Analog, CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit, ChannelWiring, Column, Connection, ControlData,
     Conversion, EcatSlave, EcatState, ElementError, ElementValue, EtherCat, Licences, Mapping, MessageBoard,
-    MessageKind, MessageText, Physical, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl, Table,
-    Value, ValueKind,
+    MessageKind, MessageText, Physical, SERIAL_QUEUE, SerialPort, Shared, Shown, SimulatedControl,
+    SpindleGears, Table, Value, ValueKind,
 };
 pub use drive::{Outputs, Signals};
 pub use motion::{Cells, Motion};

@@ -7,6 +7,7 @@ use technol_image::system::m_group;
 
 use crate::compile::Compiler;
 use crate::config::MachineConfig;
+use crate::control::clock;
 use crate::drive::{Watch, World};
 
 /// Settings of the control.
@@ -70,6 +71,13 @@ impl ControlKeys {
 }
 
 pub(crate) fn settings(config: &MachineConfig, compiler: &mut Compiler<'_>) -> ControlSettings {
+    compiler.enter("control", None);
+    if let Some(Err(wrong)) = config.control.clock.as_deref().map(clock::check) {
+        compiler.error("clock", wrong);
+    }
+    if !(-24 * 60..=24 * 60).contains(&config.control.utc_offset_min) {
+        compiler.error("utc-offset-min", "must be -1440 to 1440");
+    }
     for (index, function) in config.m_function.iter().enumerate() {
         compiler.enter("m-function", Some(index));
         if function.number > 99 {

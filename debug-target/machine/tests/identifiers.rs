@@ -35,6 +35,21 @@ fn mistakes_are_reported_where_they_are() {
             "link[0].offset: must be a finite number",
         ),
         (
+            "[[link]]\nsource = 'RTM.Control.M03'\ndestination = 'b'\n[[link]]\nsource = 'CAN[1].INOUT08[2].IP0.Bit[3]'\n\
+             destination = 'RTM.Control.FeedOvrVal'",
+            "",
+        ),
+        (
+            "[[link]]\nsource = 'RTM.Control.M99'\ndestination = 'VKeyboard.VKey[3]'",
+            "link[0].source: `RTM.Control.M99` is an element that the simulated control does not have\n\
+             link[0].destination: `VKeyboard.VKey[3]` is an element that the simulated control does not have",
+        ),
+        (
+            "[[ethercat]]\nname = 'A'\ninputs = [{ name = 'Ready.Bit[3]', type = 'bit' }, { name = 'x.bits', type = 'bit' }]",
+            "ethercat[0].inputs: `ECAT.A.Inputs.Ready.Bit[3]` would mean one bit of a number; give it a name that does not \
+             end with `.Bit`",
+        ),
+        (
             "[[link]]\nsource = 'a'\ndestination = 'b'\n[[link]]\nsource = 'c'\ndestination = 'B'",
             "link[1].destination: `B` is described twice",
         ),

@@ -7,6 +7,7 @@ use core::fmt;
 use technol_image::op::BitRef;
 use technol_image::system;
 
+use crate::continuous;
 use crate::control::{AxesOfBlock, BlockMotion, BlockSpindle, BlockWay, Control};
 use crate::m_functions::{self, Groups};
 use crate::memory::Memory;
@@ -75,7 +76,14 @@ impl Block {
         self.m.iter().any(|m| matches!(m, 2 | 30))
     }
 
-    fn has_targets(&self) -> bool {
+    /// Milliseconds of its dwell, which is programmed in seconds (manual 27.4).
+    pub(crate) fn dwell_ms(&self) -> u32 {
+        let seconds = self.prepared.as_ref().and_then(|prepared| prepared.value(BlockReal::Delay));
+        // More than fits, or no number, is the nearest that does.
+        (seconds.unwrap_or(0.0) * 1000.0 + 0.5) as u32
+    }
+
+    pub(crate) fn has_targets(&self) -> bool {
         self.prepared.as_ref().is_some_and(|prepared| prepared.axes.iter().any(Option::is_some))
     }
 }
@@ -115,6 +123,8 @@ pub(crate) enum Stage {
     Preparing,
     /// The movement runs.
     Moving { left_ms: u32 },
+    /// The position is reached; the dwell of the block (G04) runs.
+    Dwelling { left_ms: u32 },
     /// MODULE_BLOCK_DONE runs.
     Closing,
 }
@@ -163,7 +173,13 @@ pub(crate) struct BlockCycle {
     /// Movement of the block in progress.
     movement: Movement,
     motion_ms: u32,
+    /// Milliseconds of its dwell.
+    dwell_ms: u32,
     rapid: bool,
+    /// It is programmed to run on into the next one (G23).
+    continuous: bool,
+    /// A continuous run is in progress.
+    running_on: bool,
     targets: [Option<f64>; BLOCK_AXES],
     per_revolution: bool,
     /// A stop was taken: the movement holds.
@@ -188,7 +204,10 @@ impl BlockCycle {
             ends_program: false,
             movement: Movement::Time,
             motion_ms: 0,
+            dwell_ms: 0,
             rapid: false,
+            continuous: false,
+            running_on: false,
             targets: [None; BLOCK_AXES],
             per_revolution: false,
             stopped: false,
@@ -279,7 +298,9 @@ impl BlockCycle {
         self.write_functions(&block, memory, control);
         self.ends_program = block.ends_program();
         self.motion_ms = block.motion_ms;
+        self.dwell_ms = block.dwell_ms();
         self.rapid = block.rapid;
+        self.continuous = continuous::may_run_on(&block);
         self.per_revolution = block.has(BlockFlag::RevFeed);
         self.targets = block.prepared.as_ref().map_or([None; BLOCK_AXES], |prepared| prepared.axes);
         self.movement = if block.has_targets() { Movement::Wanted } else { Movement::Time };
@@ -360,6 +381,7 @@ impl BlockCycle {
         if self.movement == Movement::Taken {
             control.release_axes();
         }
+        self.running_on = self.continuous;
         self.tell_position(memory, control);
     }
 
@@ -388,15 +410,38 @@ impl BlockCycle {
         memory.set_flag(system::INPOS, !timed && control.in_position());
     }
 
+    /// The target is reached; a dwell begins.
+    pub(crate) fn reach(&mut self, memory: &mut Memory) {
+        memory.set_flag(system::PO_POL, true);
+        // A dwell ends a continuous run, and so does a block that does not go on with it.
+        self.running_on &= self.dwell_ms == 0 && self.queue.front().is_some_and(continuous::goes_on);
+        self.stage = Stage::Dwelling { left_ms: self.dwell_ms };
+        if self.dwell_ms > 0 {
+            memory.set_flag(system::PRODLEVA, true);
+        }
+    }
+
+    /// The dwell is over and not held.
+    pub(crate) fn has_dwelt(&self) -> bool {
+        self.stage == Stage::Dwelling { left_ms: 0 } && !self.stopped
+    }
+
     /// Closing functions begin.
     pub(crate) fn close(&mut self, memory: &mut Memory) {
         self.stage = Stage::Closing;
-        memory.set_flag(system::PO_POL, true);
+        self.end_dwell(memory);
     }
 
-    /// One millisecond of movement.
+    /// The lamp goes out, unless the program alone has lit it.
+    fn end_dwell(&mut self, memory: &mut Memory) {
+        if core::mem::take(&mut self.dwell_ms) > 0 {
+            memory.set_flag(system::PRODLEVA, false);
+        }
+    }
+
+    /// One millisecond of movement or dwell.
     pub(crate) fn advance(&mut self) {
-        if let Stage::Moving { left_ms } = &mut self.stage
+        if let Stage::Moving { left_ms } | Stage::Dwelling { left_ms } = &mut self.stage
             && !self.stopped
         {
             *left_ms = left_ms.saturating_sub(1);
@@ -431,8 +476,11 @@ impl BlockCycle {
         }
     }
 
-    /// The status of the control as far as blocks make it (manual 8.3.6).
-    pub(crate) fn publish(&self, memory: &mut Memory) {
+    /// The status of the control as far as blocks make it (manual 8.3.6 and 8.4.4).
+    pub(crate) fn publish(&self, memory: &mut Memory, control: &dyn Control) {
+        let left = if self.running_on { self.time_left(memory, control) } else { 0 };
+        memory.set_dword(system::TIME_DIST, left);
+        let dwells = matches!(self.stage, Stage::Dwelling { left_ms } if left_ms > 0);
         let busy = self.stage != Stage::Idle;
         let in_position = memory.flag(system::INPOS);
         let stop = memory.flag(system::PO_STOP);
@@ -442,11 +490,24 @@ impl BlockCycle {
             (system::SF_BLOCKFINISHED, self.finished),
             (system::SF_STOP, stop),
             (system::SF_NOTINPOS, !in_position),
+            (system::SF_DELAYINPROGR, dwells),
+            (system::G23ACT, self.running_on),
             (system::SF_CONDSTOPMODE, self.conditional_stop),
             (system::SF_BACKWARD, busy && self.backward),
         ] {
             memory.set_flag(bit, value);
         }
+    }
+
+    /// Milliseconds to the end of the continuous run.
+    fn time_left(&self, memory: &Memory, control: &dyn Control) -> u32 {
+        let own = match (self.stage, self.movement) {
+            (Stage::Moving { left_ms }, Movement::Time) => left_ms,
+            (Stage::Moving { .. }, _) => control.block_time_left(),
+            _ => 0,
+        };
+        let behind = if self.dwell_ms == 0 { continuous::time_of(self.queue.iter(), memory) } else { 0 };
+        own.saturating_add(behind)
     }
 
     /// The block is broken off, if there is one, and the program with it. True when there was one.
@@ -461,8 +522,12 @@ impl BlockCycle {
     }
 
     fn end(&mut self, memory: &mut Memory) {
+        if matches!(self.stage, Stage::Dwelling { .. }) {
+            self.end_dwell(memory);
+        }
         self.stage = Stage::Idle;
         self.stopped = false;
+        self.running_on &= self.queue.front().is_some_and(continuous::goes_on);
         memory.set_flag(system::PO_F, false);
         memory.set_flag(system::BLOCK_RESTART, false);
         memory.set_byte(system::STATUS_RESTART, 0);
@@ -474,6 +539,7 @@ impl BlockCycle {
         self.queue.clear();
         self.start = None;
         self.running = false;
+        self.running_on = false;
         memory.set_word(system::CNT_NEXT_BLOCKS, 0);
         prepared::forget_waiting(memory);
     }
@@ -518,6 +584,7 @@ impl BlockCycle {
             Stage::Idle => 0,
             Stage::Preparing => 1,
             Stage::Moving { .. } => 2,
+            Stage::Dwelling { .. } => 3,
             Stage::Closing => 4,
         };
         memory.set_flag(system::PO_STOP, false);

@@ -172,6 +172,11 @@ pub trait Control {
         BlockWay::Arrived
     }
 
+    /// Milliseconds until the axes that were taken reach their targets, as far as can be told now.
+    fn block_time_left(&self) -> u32 {
+        0
+    }
+
     /// No axis moves or has a position error above its tolerance: INPOS. Asked in each millisecond.
     fn in_position(&self) -> bool {
         true

@@ -17,6 +17,7 @@ mod block;
 mod calls;
 mod code;
 mod context;
+mod continuous;
 pub mod control;
 mod coverage;
 mod data;

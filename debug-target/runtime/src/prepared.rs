@@ -4,7 +4,9 @@
 //! what it does program.
 
 use technol_image::op::{Addr, BitRef};
-use technol_image::system::{BLOCK_RECORD_COUNT, BLOCK_RECORDS, BLOCK_WINDOW, block_record as record};
+use technol_image::system::{
+    BLOCK_RECORD_COUNT, BLOCK_RECORDS, BLOCK_WINDOW, CNT_NEXT_BLOCKS, block_record as record,
+};
 
 use crate::block::Block;
 use crate::decimal::to_bcd;
@@ -193,6 +195,21 @@ pub(crate) fn spindle_speed(memory: &Memory) -> f64 {
 /// Feed of the block in progress.
 pub(crate) fn feed(memory: &Memory) -> f64 {
     memory.real(at(0) + BlockReal::FeedProgr.offset())
+}
+
+/// Blocks that waited when the block in progress began, and have a record.
+pub(crate) fn waiting(memory: &Memory) -> u32 {
+    u32::from(memory.word(CNT_NEXT_BLOCKS)).min(BLOCK_RECORD_COUNT - 1)
+}
+
+/// Feed of a block by the number of its record.
+pub(crate) fn feed_of(memory: &Memory, number: u32) -> f64 {
+    memory.real(at(number) + BlockReal::FeedProgr.offset())
+}
+
+/// Where an axis is at the end of a block.
+pub(crate) fn target_of(memory: &Memory, number: u32, axis: u32) -> f64 {
+    memory.real(at(number) + record::AXES + 8 * axis)
 }
 
 /// Constant cutting speed of the block in progress in mm/min.

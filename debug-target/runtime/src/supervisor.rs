@@ -7,7 +7,7 @@ mod life;
 use alloc::vec::Vec;
 use core::cell::RefCell;
 
-use technol_image::op::Op;
+use technol_image::op::{Op, Pc};
 use technol_image::program::ModuleKind;
 
 pub(crate) use self::called::PlcEvent;
@@ -174,7 +174,7 @@ impl Runtime {
             Job::Module(index) => return self.run_module(index, world),
             Job::Block => {
                 let progress = self.run_block(world);
-                self.block.publish(&mut self.machine.memory);
+                self.block.publish(&mut self.machine.memory, world.control);
                 return progress;
             }
             Job::Calls => return self.run_calls(world),
@@ -272,7 +272,8 @@ impl Runtime {
             let Some(message) = world.control.next_message() else { return };
             let ControlMessage { call, number, sub_id, set, parameters } = message;
             let at = self.program.code.iter().position(|op| *op == Op::Service(call));
-            let pc = at.map_or(0, |pc| pc as u32);
+            // What no line reports has no place.
+            let pc = at.map_or(Pc::MAX, |pc| pc as u32);
             let cycle = self.cycle();
             world.events.push(RuntimeEvent::Message { cycle, number, sub_id, set, parameters, pc });
         }

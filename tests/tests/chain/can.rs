@@ -389,6 +389,76 @@ fn a_silent_drive_leaves_the_busy_byte() {
     assert_eq!(plc.differences("W1=0"), [""; 0]);
 }
 
+/// CAN_IO_ERROR_CODE, CAN_IO_ERROR_NUM, CAN_IO_TIMEOUT_CODE, CAN_IO_TIMEOUT_NUM.
+fn errors(plc: &Plc, code: u8, number: u8, timeout: u8, silent: u8) {
+    let values = format!(
+        "CAN_IO_ERROR_CODE={code} CAN_IO_ERROR_NUM={number} CAN_IO_TIMEOUT_CODE={timeout} CAN_IO_TIMEOUT_NUM={silent}"
+    );
+    assert_eq!(plc.differences(&values), [""; 0]);
+}
+
+#[test]
+fn errors_of_units_are_told_with_their_number() {
+    let machine = "can-unit = [{ can = 2, group = 1, board = 1 }, { can = 2, group = 1, board = 3 }]\n\
+                   fault = [{ name = 'cut', can = 2, cut = true }, { name = 'short', output = 'P7OUT.2', shorted = true }]";
+    let mut plc = Plc::before(
+        machine,
+        "LDR CAN_IO_ERROR_CODE.ERR_IO8_SHORT / WR O0 / LDR I0 / WR O1 / LOD OB / STO P7OUT / CAN_SYSIO_READ 2,1,3,ERR_CODE / STO B2 / \
+         LOD CNST.4 / LDR I1 / JL0 L / CAN_SYSIO_WRITE 2,1,3,CONTROL / L:",
+    );
+    plc.run(2);
+    errors(&plc, 0, 0, 0, 0);
+    plc.control().can_unit_mut(2, 1, 3).set("ERROR", 0x10);
+    plc.run(2);
+    errors(&plc, 0x11, 3, 0, 0);
+    plc.control().can_unit_mut(2, 1, 3).set("ERROR", 0);
+    plc.run(2);
+    errors(&plc, 0, 0, 0, 0);
+    assert_eq!(plc.differences("B2=11h"), [""; 0], "the last error is kept");
+    plc.fault_of_machine("cut", true);
+    plc.run(2);
+    errors(&plc, 0, 0, 1, 1);
+    plc.fault_of_machine("cut", false);
+    plc.run(2);
+    errors(&plc, 0, 0, 0, 0);
+}
+
+#[test]
+fn the_control_reports_errors_of_its_buses_by_itself() {
+    let machine = "can-drive = [{ axis = 2 }, { axis = 3 }]\n\
+                   fault = [{ name = 'cut', can = 2, cut = true }, { name = 'lost', can-drive = 2, lost = true }, \
+                   { name = 'hot', can-drive = 3, error = 0x4310 }]";
+    let mut plc = Plc::before(
+        machine,
+        "LDR I0 / JL0 L / FL 0,I0 / CAN_AX_SEND 2 / L: / LDR I1 / JL0 M / FL 0,I1 / CAN_AX_SEND 3 / M:",
+    );
+    plc.run(1);
+    let mut told = Vec::new();
+    for (fault, given) in [("cut", ""), ("lost", "I0=1"), ("hot", ""), ("", "I1=1")] {
+        if !fault.is_empty() {
+            plc.fault_of_machine(fault, true);
+        }
+        plc.set(given);
+        plc.events(3).into_iter().for_each(|event| {
+            if let technol_runtime::RuntimeEvent::Message { number, set, parameters, pc, .. } = event {
+                told.push((number, set, parameters, plc.line_of(pc)));
+            }
+        });
+    }
+    let expected = [
+        (4204, true, [Some(2), None, None], None),
+        (4208, true, [Some(2), None, None], None),
+        (4217, true, [Some(3), Some(1), Some(0x4310)], None),
+        (4209, true, [Some(3), None, None], None),
+    ];
+    assert_eq!(told, expected);
+    let on_screen = plc.control().board().transient().next().map(|message| message.number);
+    assert_eq!(on_screen, Some(4204), "the first is to be confirmed");
+    let shown = plc.control().board().transient().nth(2).copied().expect("three messages");
+    let text = shown.text(plc.control().data());
+    assert_eq!(String::from_utf8_lossy(&text), "CAN drive 3 reports an error, register 1, code 4310");
+}
+
 #[test]
 fn a_packet_is_cut_at_the_end_of_its_place() {
     // A text of three characters has four bytes.

@@ -168,3 +168,44 @@ fn identifiers_and_buses_are_told_in_words() {
       bus    the cable of CAN channel 2 is cut
     "#);
 }
+
+#[test]
+fn an_identifier_that_is_the_name_of_a_symbol_is_a_mistake() {
+    let path = project(CHANNEL);
+    for (wrong, expected) in [
+        (
+            "[[link]]\nsource = 'M03PI'\ndestination = 'X'",
+            "link[1].source: `M03PI` is a symbol, and no identifier",
+        ),
+        (
+            "[[link]]\nsource = 'PLC.Output.Push'\ndestination = 'Ready'",
+            "link[1].source: `PLC.Output.Push` is the cell of 'outPush'; write outPush",
+        ),
+        ("[[input]]\nid = 'PRESSURE.Bit[2]'\nvalue = 1", ""),
+    ] {
+        path.write("machine.toml", format!("{MACHINE}{wrong}\n").as_bytes());
+        for command in [&["run", "--cycles", "1"][..], &["check"]] {
+            let (name, more) = command.split_first().expect("a command");
+            let ran = run(&[&[name, path.path("").as_str()], more].concat());
+            let said = format!("{}{}", ran.out, ran.err);
+            assert_eq!(ran.code == Some(0), expected.is_empty(), "{command:?} {wrong}: {said}");
+            assert!(said.contains(expected), "{command:?}: {said}");
+        }
+    }
+}
+
+#[test]
+fn gears_of_the_configuration_make_the_spindle_value_and_those_of_the_machine_win() {
+    let gears = "<Spindle No=\"1\" GearCount=\"2\" SpeedLimit=\"1500\">\
+                 <Gear No=\"1\" MaxSpeed=\"1600\"/><Gear No=\"0\" MaxSpeed=\"800\" MaxOutput=\"26869\"/>\
+                 <Gear No=\"2\" MaxSpeed=\"9\"/></Spindle>";
+    let channel = CHANNEL.replace("<C>", &format!("<C>{gears}"));
+    let block = "[[block]]\nat-cycle = 1\nm = [41]\nspeed = 630.0\n";
+    for (own, expected) in [("", 21_159), ("[[spindle]]\ngear = [{ max-speed = 1260 }]\n", 16_384)] {
+        let path = project(&channel);
+        path.write("machine.toml", format!("{MACHINE}{block}{own}").as_bytes());
+        let ran = run(&["run", &path.path(""), "--cycles", "4", "--format", "json", "--print", "WORD.PB11"]);
+        assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+        assert_eq!(ran.json()["values"], json!({ "WORD.PB11": expected }), "{own}");
+    }
+}

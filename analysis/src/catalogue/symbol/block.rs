@@ -332,12 +332,16 @@ mod tests {
             ("SF_BLOCKFINISHED", system::SF_BLOCKFINISHED),
             ("SF_STOP", system::SF_STOP),
             ("SF_NOTINPOS", system::SF_NOTINPOS),
+            ("SF_DELAYINPROGR", system::SF_DELAYINPROGR),
             ("SF_CONDSTOPMODE", system::SF_CONDSTOPMODE),
             ("SF_BACKWARD", system::SF_BACKWARD),
+            ("PRODLEVA", system::PRODLEVA),
+            ("G23ACT", system::G23ACT),
         ] {
             let kind = symbol(name).unwrap().kind;
             assert_eq!(kind, SystemKind::Bit { addr: place.addr, bit: place.bit }, "{name}");
         }
+        assert_eq!(symbol("TIME_DIST").unwrap().kind.bytes(), Some((system::TIME_DIST, 4)));
     }
 
     #[test]

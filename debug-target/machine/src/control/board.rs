@@ -5,6 +5,7 @@ use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 
 use super::data::ControlData;
+use super::messages::message;
 
 /// Transient messages that wait; later ones are lost until one is confirmed.
 const WAITING: usize = 64;
@@ -94,10 +95,14 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Its text with the values put in, in the code page of the control; empty when no file defines it.
+    /// Its text with the values put in, in the code page of the control; empty when no file defines it and it is none of the
+    /// control itself.
     #[must_use]
     pub fn text(&self, data: &ControlData) -> Vec<u8> {
-        let mut rest = data.message(self.number).map_or(&[][..], |known| &known.text);
+        let mut rest = match data.message(self.number) {
+            Some(known) => &known.text,
+            None => message::text(self.number).as_bytes(),
+        };
         let mut values = self.parameters.iter();
         let mut text = Vec::with_capacity(rest.len());
         while let Some((first, behind)) = rest.split_first() {

@@ -3,6 +3,8 @@
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
+use crate::motion::config::Gear;
+
 use super::board::MessageText;
 use super::elements::ChannelWiring;
 
@@ -23,6 +25,19 @@ pub struct ControlData {
     pub wiring: ChannelWiring,
     /// M functions and their groups (`MFunctions`, manual 8.3.5); those that cannot be are left out.
     pub m_groups: Vec<(u8, u8)>,
+    /// Gears of spindles (`Spindle`, manual 12); what is out of range is left out.
+    pub gears: Vec<SpindleGears>,
+}
+
+/// Gears of a spindle.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SpindleGears {
+    /// 1 or 2.
+    pub spindle: u8,
+    /// Greatest programmed speed in rev/min; 0: that of the fastest gear.
+    pub speed_limit: u32,
+    /// The lowest first.
+    pub gears: Vec<Gear>,
 }
 
 impl ControlData {

@@ -1,6 +1,7 @@
 //! What is wrong on the buses.
 
 use super::SimulatedControl;
+use super::messages::message;
 use crate::fault::BusFault;
 
 impl SimulatedControl {
@@ -8,6 +9,12 @@ impl SimulatedControl {
     pub(crate) fn set_bus_faults(&mut self, faults: &[BusFault]) {
         if self.bus_faults == faults {
             return;
+        }
+        let cut = |can| {
+            faults.contains(&BusFault::CanCut(can)) && !self.bus_faults.contains(&BusFault::CanCut(can))
+        };
+        for can in [1, 2].into_iter().filter(|can| cut(*can)) {
+            self.messages.of_control(message::INTERRUPTED, [Some(i64::from(can)), None, None]);
         }
         self.bus_faults.clear();
         self.bus_faults.extend_from_slice(faults);
@@ -24,12 +31,13 @@ impl SimulatedControl {
         });
         // Drives are on the first channel.
         self.drives.set_lost(|axis| has(BusFault::CanDriveLost(axis)) || has(BusFault::CanCut(1)));
-        self.drives.set_error(|axis| {
+        let error = |axis| {
             faults.iter().find_map(|fault| match fault {
                 BusFault::CanDriveError(own, code) if *own == axis => Some(*code),
                 _ => None,
             })
-        });
+        };
+        self.drives.set_error(error, &mut self.messages);
         self.can.set_cut(|can| has(BusFault::CanCut(can)));
         self.units.set_cut(|can| has(BusFault::CanCut(can)));
     }

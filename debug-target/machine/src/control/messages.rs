@@ -7,6 +7,32 @@ use technol_image::op::{Addr, Width};
 use technol_image::service::Arg;
 use technol_runtime::{Call, ControlMessage, FaultKind};
 
+/// Messages of the control itself that wait to be told; more are lost.
+const OWN: usize = 64;
+
+/// Messages of the control itself about its CAN buses (manual 13.14.5).
+pub(super) mod message {
+    /// The bus is interrupted; the channel.
+    pub(in crate::control) const INTERRUPTED: u32 = 4204;
+    /// A drive does not answer; its axis.
+    pub(in crate::control) const NO_ANSWER: u32 = 4208;
+    /// A drive refuses a command; its axis.
+    pub(in crate::control) const BAD_ANSWER: u32 = 4209;
+    /// A drive reports an error; its axis, its error register, the code.
+    pub(in crate::control) const EMERGENCY: u32 = 4217;
+
+    /// The text of such a message, where no file has one; empty for others.
+    pub(in crate::control) fn text(number: u32) -> &'static str {
+        match number {
+            INTERRUPTED => "CAN channel %d is interrupted",
+            NO_ANSWER => "CAN drive %d does not answer",
+            BAD_ANSWER => "CAN drive %d refuses a command",
+            EMERGENCY => "CAN drive %d reports an error, register %d, code %X",
+            _ => "",
+        }
+    }
+}
+
 /// Bindings of a program; one more is not looked at. No machine has so many messages.
 const MAX_BINDINGS: usize = 10_000;
 
@@ -47,6 +73,9 @@ pub(super) struct Messages {
     waiting: VecDeque<ControlMessage>,
 }
 
+/// A message that no line of the program reports.
+const NO_CALL: u16 = u16::MAX;
+
 impl Messages {
     /// EDEF.
     pub(super) fn watch(&mut self, call: &mut Call<'_>) -> Result<(), FaultKind> {
@@ -79,9 +108,17 @@ impl Messages {
             self.bindings.push(binding);
         }
         // Both edges of a bit may begin and end its message in one look.
-        let room = 2 * self.bindings.len();
+        let room = 2 * self.bindings.len() + OWN;
         self.waiting.reserve(room.saturating_sub(self.waiting.len()));
         Ok(())
+    }
+
+    /// The control reports something by itself.
+    pub(super) fn of_control(&mut self, number: u32, parameters: [Option<i64>; 3]) {
+        if self.waiting.len() < OWN {
+            let (call, sub_id, set) = (NO_CALL, None, true);
+            self.waiting.push_back(ControlMessage { call, number, sub_id, set, parameters });
+        }
     }
 
     /// A start of the PLC: nothing is bound.

@@ -19,6 +19,7 @@ mod axes;
 mod backup;
 mod board;
 mod can;
+pub(crate) mod clock;
 pub(crate) mod config;
 mod configuration;
 mod data;
@@ -46,10 +47,11 @@ use shared::SharedMemory;
 use tables::Tables;
 
 pub use board::{MessageBoard, MessageKind, MessageText, Shown};
-pub use data::{Column, ControlData, Table, Value, ValueKind};
+pub use data::{Column, ControlData, SpindleGears, Table, Value, ValueKind};
 pub use shared::Shared;
 
 use can::{Drives, Units};
+use clock::Clock;
 use serial::Serial;
 
 pub use can::{CAN_QUEUE, CanBus, CanDrive, CanPacket, CanUnit};
@@ -79,6 +81,7 @@ pub struct SimulatedControl {
     drives: Drives,
     ethercat: EtherCat,
     edrv: Edrv,
+    clock: Clock,
     /// What the machine drives the analogue inputs with.
     analog_inputs: Vec<(u8, f64)>,
     bus_faults: Vec<BusFault>,
@@ -97,10 +100,16 @@ impl SimulatedControl {
         let mut control = SimulatedControl {
             elements: Elements::of(machine),
             motion: Motion::new(machine),
+            clock: Clock::of(machine.control.clock.as_deref(), machine.control.utc_offset_min),
             ..SimulatedControl::default()
         };
         control.connect_buses(machine);
         control
+    }
+
+    /// Its calendar clock shows a time from now on: milliseconds since 1970, UTC. It goes on with PLC time.
+    pub fn set_time(&mut self, unix_millis: i64) {
+        self.clock.set(unix_millis);
     }
 
     /// A number that two controls share when they go on the same way from here.
@@ -170,6 +179,9 @@ impl SimulatedControl {
     pub fn set_data(&mut self, data: ControlData) {
         // An identifier that is none connects nothing; who reads the files reports it.
         let _ = self.elements.configure(data.wiring.clone());
+        for SpindleGears { spindle, speed_limit, gears } in &data.gears {
+            self.motion.set_gears(*spindle, gears, *speed_limit);
+        }
         self.data = data;
         backup::make_room(&mut self.data.backup);
     }
@@ -376,6 +388,10 @@ impl Control for SimulatedControl {
         if rate == Rate::Fast {
             self.motion.tick_ms(&mut Cells::new(memory));
             self.devices(memory);
+            self.clock.tick();
+        }
+        if rate == Rate::Slow {
+            self.clock.tell(&mut Cells::new(memory));
         }
         self.elements.serve(rate, true, memory);
         // The buses run in PLC time, which stands while the debugger holds the program.
@@ -386,8 +402,8 @@ impl Control for SimulatedControl {
         self.can.tick();
         self.drives.tick();
         if millis.is_multiple_of(20) {
-            self.units.cycle();
-            self.drives.inputs(memory);
+            self.units.cycle(memory);
+            self.drives.inputs(memory, &mut self.messages);
             self.ethercat.cycle();
             self.ethercat.requests(memory);
         }
@@ -433,6 +449,10 @@ impl Control for SimulatedControl {
             BlockState::Done if self.motion.arrived() => BlockWay::Arrived,
             BlockState::Moving | BlockState::Done => BlockWay::Moving,
         }
+    }
+
+    fn block_time_left(&self) -> u32 {
+        self.motion.block_time_left()
     }
 
     fn in_position(&self) -> bool {

@@ -1,5 +1,6 @@
 //! Reference of the axes: who asks for it, who makes it, and in what order the bits change (manual 8.1.23 and 15).
 
+use technol_image::op::BitRef;
 use technol_image::system::{self, motion as place};
 
 use technol_runtime::Hold;
@@ -29,6 +30,12 @@ pub enum Request {
     Reference(u8, bool),
     /// Central annulment.
     Annul,
+    /// The step of the handwheel, in µm.
+    WheelStep(u16),
+    /// The mode of the independent shift, by turns.
+    ShiftMode,
+    /// The handwheel shifts, by turns.
+    ShiftActive,
 }
 
 impl Motion {
@@ -58,6 +65,18 @@ impl Motion {
                 }
                 Request::Annul => {
                     self.annul(cells);
+                    Ok(())
+                }
+                Request::WheelStep(step) => {
+                    cells.set_word(place::WHEEL_STEP, step);
+                    Ok(())
+                }
+                Request::ShiftMode => {
+                    by_turns(cells, place::OFFSET_MODE);
+                    Ok(())
+                }
+                Request::ShiftActive => {
+                    by_turns(cells, place::OFFSET_ACTIVE);
                     Ok(())
                 }
             };
@@ -191,6 +210,11 @@ impl Motion {
             cells.set_bit(system::REFPI, false);
         }
     }
+}
+
+fn by_turns(cells: &mut Cells<'_>, bit: BitRef) {
+    let on = cells.bit(bit);
+    cells.set_bit(bit, !on);
 }
 
 /// Writes the bit of an axis in a WORD.

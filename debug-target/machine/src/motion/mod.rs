@@ -133,6 +133,8 @@ pub struct Motion {
     outputs: Outputs,
     /// Spindles 1 and 2.
     spindles: [Spindle; 2],
+    /// Which of them the machine describes.
+    described: [bool; 2],
     cutting: Cutting,
     feed_percent: u8,
     speed_percent: u8,
@@ -174,10 +176,19 @@ impl Motion {
             requests: Vec::new(),
             outputs: Outputs::default(),
             spindles: [spindle(1), spindle(2)],
+            described: [1, 2].map(|number| machine.spindle.iter().any(|spindle| spindle.number == number)),
             cutting: Cutting::default(),
             feed_percent: 100,
             speed_percent: 100,
             announced: false,
+        }
+    }
+
+    /// Gears of a spindle (1 or 2) as the configuration of the control has them; those of the machine's description win.
+    pub fn set_gears(&mut self, number: u8, gears: &[config::Gear], speed_limit: u32) {
+        let index = usize::from(number).wrapping_sub(1);
+        if let (Some(spindle), Some(false)) = (self.spindles.get_mut(index), self.described.get(index)) {
+            spindle.set_gears(gears, speed_limit);
         }
     }
 
@@ -270,6 +281,11 @@ impl Motion {
     pub fn arrived(&self) -> bool {
         let near = |(index, axis): (usize, &Axis)| !signals::has(self.arriving, index) || axis.in_tolerance();
         self.block == BlockState::Done && self.axes.iter().enumerate().all(near)
+    }
+
+    /// Milliseconds until the block reaches its target, at the speed of now.
+    pub fn block_time_left(&self) -> u32 {
+        self.path.as_ref().map_or(0, Path::millis_left)
     }
 
     /// How far an axis (1 to 16) is from a coordinate of the part program (POS0) in mm, in µm; 0 for no axis.

@@ -20,6 +20,12 @@ pub enum PanelKey {
     SelectAxis(u8),
     /// The handwheel turns by so many steps of KNOB_STEP each time.
     Wheel(i32),
+    /// The step of the handwheel is so many µm from now on (KNOB_STEP).
+    WheelStep(u16),
+    /// Selects the mode of the independent shift, and leaves it again (REQ_ESHIFT).
+    ShiftMode,
+    /// Lets the handwheel shift, and not any more (ACT_ESHIFT).
+    ShiftActive,
     /// Asks for the reference of an axis.
     Home(u8),
     /// Asks for the group reference.
@@ -56,6 +62,9 @@ impl PanelKey {
             PanelKey::JogRapid => String::from("jogs by rapid traverse"),
             PanelKey::SelectAxis(axis) => format!("preselects axis {axis} for the handwheel"),
             PanelKey::Wheel(steps) => format!("turns the handwheel by {steps}"),
+            PanelKey::WheelStep(step) => format!("sets the step of the handwheel to {step} µm"),
+            PanelKey::ShiftMode => String::from("selects and leaves the independent shift"),
+            PanelKey::ShiftActive => String::from("begins and ends shifting by the handwheel"),
             PanelKey::Home(axis) => format!("asks for the reference of axis {axis}"),
             PanelKey::HomeGroup => String::from("asks for the group reference"),
             PanelKey::FeedPercent(percent) => format!("sets the feed override to {percent} %"),
@@ -79,6 +88,15 @@ impl Motion {
             _ if !down => {}
             PanelKey::SelectAxis(axis) => self.select_key(axis)?,
             PanelKey::Wheel(steps) => self.turn_wheel(steps),
+            PanelKey::WheelStep(step) => {
+                self.ask(Request::WheelStep(step));
+            }
+            PanelKey::ShiftMode => {
+                self.ask(Request::ShiftMode);
+            }
+            PanelKey::ShiftActive => {
+                self.ask(Request::ShiftActive);
+            }
             PanelKey::Home(axis) => {
                 self.ask(Request::Home(axis));
             }

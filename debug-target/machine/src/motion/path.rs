@@ -83,6 +83,8 @@ pub(crate) struct Path {
     emergency: f64,
     /// The greatest speed along the path with which no axis is too fast.
     greatest: f64,
+    /// The speed that it was let go in the last tick.
+    allowed: f64,
 }
 
 impl Path {
@@ -104,6 +106,7 @@ impl Path {
             accel: f64::INFINITY,
             emergency: f64::INFINITY,
             greatest: f64::INFINITY,
+            allowed: 0.0,
         };
         let moving = all.iter().zip(block.travel).enumerate();
         for (index, (axis, way)) in moving.filter(|(_, (_, way))| *way != 0.0) {
@@ -138,6 +141,20 @@ impl Path {
         self.along.velocity == 0.0
     }
 
+    /// Milliseconds to its end at the speed of now; how long it takes to get up to speed is not counted. It never ends while it
+    /// is held.
+    pub(crate) fn millis_left(&self) -> u32 {
+        let (left, speed) = (self.length - self.along.position, self.allowed);
+        let brake = speed * speed / (2.0 * self.accel);
+        let seconds = if left < brake {
+            root(2.0 * left / self.accel)
+        } else {
+            (left - brake) / speed + speed / self.accel
+        };
+        // What is no number is held; more than fits is the greatest.
+        if seconds.is_nan() { u32::MAX } else { (seconds * 1000.0) as u32 }
+    }
+
     /// An axis is shifted beside the path.
     pub(crate) fn shift(&mut self, axis: usize, step: f64) {
         self.begin[axis] += step;
@@ -163,6 +180,7 @@ impl Path {
         };
         let speed = if hold == Hold::Go { speed.min(slow) } else { 0.0 };
         let accel = if hold == Hold::Emergency { self.emergency } else { self.accel };
+        self.allowed = speed;
         let target = self.length.min(self.along.position + room.max(0.0));
         let done = self.along.tick(Goal::Position { target, speed, approach: 0.0 }, accel);
         for (index, share) in self.share.iter().enumerate().filter(|(_, share)| **share != 0.0) {

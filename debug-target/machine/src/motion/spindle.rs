@@ -19,6 +19,8 @@ const PER_TICK: f64 = 0.006;
 const FILTER: f64 = 0.02;
 /// Speed of the spindle that no description tells of, in rev/min.
 const USUAL_SPEED: u32 = 3000;
+/// Gears of a spindle.
+const MOST_GEARS: usize = 32;
 /// Gears that M41 to M44 select.
 const M_GEARS: usize = 4;
 /// Their group of M functions.
@@ -64,7 +66,7 @@ pub(crate) fn check(spindle: &config::Spindle, earlier: &[config::Spindle], comp
     } else if earlier.iter().any(|other| other.number == spindle.number) {
         compiler.error("number", format!("spindle {} is described twice", spindle.number));
     }
-    if spindle.gear.is_empty() || spindle.gear.len() > 32 {
+    if spindle.gear.is_empty() || spindle.gear.len() > MOST_GEARS {
         compiler.error("gear", "needs 1 to 32 gears, each with `max-speed`");
     }
     if spindle.gear.iter().any(|gear| gear.max_speed == 0 || !(1..=0x7FFF).contains(&gear.max_output)) {
@@ -107,6 +109,15 @@ impl Spindle {
             actual: 0.0,
             average: 0.0,
         }
+    }
+
+    /// It has these gears from now on, where they can be.
+    pub(crate) fn set_gears(&mut self, gears: &[config::Gear], limit: u32) {
+        let fits = |gear: &&config::Gear| gear.max_speed > 0 && (1..=0x7FFF).contains(&gear.max_output);
+        let usual = config::Spindle::default();
+        let fitting: Vec<config::Gear> = gears.iter().filter(fits).take(MOST_GEARS).cloned().collect();
+        let own = Spindle::new(&config::Spindle { gear: fitting, speed_limit: limit, ..usual });
+        (self.gears, self.speed_limit) = (own.gears, own.speed_limit);
     }
 
     /// It stands, as at power-on.

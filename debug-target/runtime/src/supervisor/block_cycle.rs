@@ -64,6 +64,12 @@ impl Runtime {
                     if !self.block.arrived(world.control) {
                         return Progress::Done;
                     }
+                    self.block.reach(&mut self.machine.memory);
+                }
+                Stage::Dwelling { .. } => {
+                    if !self.block.has_dwelt() {
+                        return Progress::Done;
+                    }
                     self.block.close(&mut self.machine.memory);
                     self.activate(SequenceKind::BlockDone);
                 }

@@ -6,6 +6,7 @@ mod blocks;
 mod coverage;
 mod data;
 mod debugger;
+mod dwell;
 mod fused;
 mod interface;
 mod limits;

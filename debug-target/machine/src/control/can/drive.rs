@@ -6,6 +6,7 @@ use technol_image::op::Addr;
 use technol_image::system::devices;
 use technol_runtime::{Call, FaultKind};
 
+use super::super::messages::{Messages, message};
 use super::super::objects::{Dictionary, abort};
 use super::super::state_machine::{State, StateMachine};
 use super::{CanPacket, NODE, number};
@@ -19,6 +20,8 @@ const REQUEST: u16 = 0x600;
 const ANSWER: u16 = 0x580;
 /// First byte of a refusal.
 const ABORT: u8 = 0x80;
+/// Bit of the error register in an emergency message: any error.
+const ANY_ERROR: i64 = 1;
 /// Bits of the command word: CAN_AX_EN and CAN_AX_BRK.
 const ENABLE: u8 = 1;
 const BRAKE: u8 = 2;
@@ -30,6 +33,8 @@ pub struct CanDrive {
     silent: bool,
     /// The cable to it is cut, or it has no power.
     lost: bool,
+    /// Why it is in error.
+    cause: Option<u16>,
     objects: Dictionary,
     machine: StateMachine,
 }
@@ -115,6 +120,7 @@ impl CanDrive {
 /// An answer on its way.
 #[derive(Clone, Copy, Debug)]
 struct Pending {
+    axis: u8,
     left: u32,
     /// `None`: nobody will answer.
     answer: Option<CanPacket>,
@@ -152,7 +158,7 @@ impl Drives {
             .filter(|drive| !drive.silent && !drive.lost)
             .map(|drive| CanPacket::new(ANSWER | node, &drive.answer(data)));
         // A packet that still waits is replaced.
-        self.pending = Some(Pending { left: ANSWER_MILLIS, answer, packet, busy });
+        self.pending = Some(Pending { axis, left: ANSWER_MILLIS, answer, packet, busy });
         Ok(())
     }
 
@@ -164,10 +170,17 @@ impl Drives {
     }
 
     /// A cycle begins: an answer that has come reaches the program.
-    pub(in super::super) fn inputs(&mut self, memory: &mut [u8]) {
+    pub(in super::super) fn inputs(&mut self, memory: &mut [u8], messages: &mut Messages) {
         let Some(pending) = self.pending.take_if(|pending| pending.left == 0) else { return };
-        let Some(answer) = pending.answer else { return };
+        let axis = i64::from(pending.axis);
+        let Some(answer) = pending.answer else {
+            messages.of_control(message::NO_ANSWER, [Some(axis), None, None]);
+            return;
+        };
         let bytes = answer.to_bytes();
+        if bytes[4] == ABORT {
+            messages.of_control(message::BAD_ANSWER, [Some(axis), None, None]);
+        }
         let start = pending.packet as usize;
         if let Some(target) = memory.get_mut(start..start.saturating_add(bytes.len())) {
             target.copy_from_slice(&bytes);
@@ -197,10 +210,18 @@ impl Drives {
         }
     }
 
-    /// Why a drive is in error.
-    pub(in super::super) fn set_error(&mut self, error: impl Fn(u8) -> Option<u16>) {
+    /// Why a drive is in error, which it tells at once.
+    pub(in super::super) fn set_error(&mut self, error: impl Fn(u8) -> Option<u16>, messages: &mut Messages) {
         for (axis, drive) in &mut self.all {
-            drive.machine.set_cause(error(*axis));
+            let cause = error(*axis);
+            if cause != drive.cause
+                && let Some(code) = cause
+            {
+                let parameters = [Some(i64::from(*axis)), Some(ANY_ERROR), Some(i64::from(code))];
+                messages.of_control(message::EMERGENCY, parameters);
+            }
+            drive.cause = cause;
+            drive.machine.set_cause(cause);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use alloc::collections::BTreeMap;
 
+use technol_image::op::Addr;
 use technol_image::op::Width::{self, Byte, DWord, Word};
 use technol_image::service::Service;
 use technol_runtime::{Call, FaultKind};
@@ -12,6 +13,15 @@ use super::number;
 const INOUT08: u16 = 1;
 /// IO_DIS_ERPIS in CONTROL.
 const NO_REPORT: u32 = 2;
+/// IO_DIS_TMOUT in CONTROL.
+const NO_TIMEOUT: u32 = 4;
+/// ERR_IO8_ERROR and ERR_IO8_SHORT in ERROR.
+const ANY_ERROR: u32 = 1;
+const SHORT: u32 = 2;
+/// CAN_IO_ERROR_CODE: BYTE, with number of the unit, time-out and its number behind it; then CAN_MAT_ and CAN_TOC_.
+const ERRORS: Addr = 0x0C8D;
+/// Groups of units.
+const GROUPS: u16 = 3;
 
 /// Who fills a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,11 +97,16 @@ pub struct CanUnit {
     said: [u32; MEMBERS.len()],
     /// The cable is cut.
     lost: bool,
+    /// Its error register at the last look.
+    error: u32,
+    /// What the control has put into ERR_CODE; something else there is the unit's own.
+    last: u32,
 }
 
 impl Default for CanUnit {
     fn default() -> CanUnit {
-        let mut unit = CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false };
+        let mut unit =
+            CanUnit { seen: [0; MEMBERS.len()], said: [0; MEMBERS.len()], lost: false, error: 0, last: 0 };
         unit.set("PRESENT", 1);
         unit.seen = unit.said;
         unit
@@ -131,6 +146,26 @@ impl CanUnit {
                 self.seen[n] = self.said[n];
             }
         }
+        let shorted =
+            ["SHORT_OUT0", "SHORT_OUT1", "SHORT_OUT2"].into_iter().any(|name| self.get(name) > Some(0));
+        let told = self.get("ERROR").unwrap_or(0) | if shorted { SHORT } else { 0 };
+        let error = told | if told != 0 { ANY_ERROR } else { 0 };
+        if let Some(n) = member("ERROR") {
+            self.seen[n] = error;
+        }
+        // The last one is kept from when it arises.
+        if error != 0
+            && error != self.error
+            && let Some(n) = member("ERR_CODE").filter(|n| self.said[*n] == self.last)
+        {
+            (self.said[n], self.last) = (error, error);
+        }
+        self.error = error;
+    }
+
+    /// Nobody answers, and the program wants to know.
+    fn is_late(&self) -> bool {
+        self.lost && self.get("CONTROL").is_some_and(|control| control & NO_TIMEOUT == 0)
     }
 }
 
@@ -146,8 +181,27 @@ impl Units {
     }
 
     /// A cycle of 20 ms begins.
-    pub(in super::super) fn cycle(&mut self) {
+    pub(in super::super) fn cycle(&mut self, memory: &mut [u8]) {
         self.all.values_mut().for_each(CanUnit::cycle);
+        if !self.all.is_empty() {
+            (1..=GROUPS).for_each(|group| self.tell_errors(group, memory));
+        }
+    }
+
+    /// The first unit of a group in error and the first that is late (manual 9.3).
+    fn tell_errors(&self, group: u16, memory: &mut [u8]) {
+        let own = || self.all.iter().filter(|((_, its, _), _)| *its == group);
+        let error = own().find_map(|((.., board), unit)| {
+            unit.get("ERROR")
+                .filter(|error| *error != 0 && !unit.lost)
+                .map(|error| (error as u8, *board as u8))
+        });
+        let late = own().find(|(_, unit)| unit.is_late()).map(|((.., board), _)| (1, *board as u8));
+        let ((error, in_error), (timeout, silent)) = (error.unwrap_or_default(), late.unwrap_or_default());
+        let at = (ERRORS + 4 * Addr::from(group - 1)) as usize;
+        if let Some(bytes) = memory.get_mut(at..at + 4) {
+            bytes.copy_from_slice(&[error, in_error, timeout, silent]);
+        }
     }
 
     /// The cable of a channel is cut, or is there.

@@ -1,12 +1,27 @@
-//! Elements of the control itself that a connection may name: bytes of INOUT08 units, which are ports (manual 9.3), and
-//! EtherCAT drives of servo loops (manual 13.18.2).
+//! Elements of the control itself that a connection may name: bytes of INOUT08 units, which are ports (manual 9.3), EtherCAT
+//! drives of servo loops (manual 13.18.2), and other cells of the interface.
 
 use technol_image::op::Addr;
 use technol_image::system::{self, devices};
 
+use super::realtime;
 use super::value::CellType;
 
-const fn int(bytes: usize, signed: bool) -> CellType {
+/// A cell of the control.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cell {
+    pub(super) addr: Addr,
+    pub(super) kind: CellType,
+    /// What 1 in the cell is in the unit of the element.
+    pub(super) scale: f64,
+}
+
+/// The element belongs to the control, whether or not it is simulated.
+pub(super) fn is_of_control(name: &str) -> bool {
+    ["rtm.", "vkeyboard.", "can["].iter().any(|group| name.starts_with(group))
+}
+
+pub(super) const fn int(bytes: usize, signed: bool) -> CellType {
     CellType::Int { bytes, signed }
 }
 
@@ -31,17 +46,31 @@ const EDRV: [(&str, Addr, CellType); 16] = [
 ];
 
 /// The cell behind a normal identifier.
-pub(super) fn find(name: &str) -> Option<(Addr, CellType)> {
-    if let Some(rest) = name.strip_prefix("rtm.servo") {
-        let (servo, rest) = index(rest)?;
-        let element = rest.strip_prefix(".edrv.")?;
-        let (_, first, kind) = EDRV.into_iter().find(|(name, ..)| *name == element)?;
-        let servo = u32::from(u8::try_from(servo).ok().filter(|servo| *servo < devices::DRIVES)?);
-        return Some(match kind {
-            CellType::Bit(_) => (first + servo / 8, CellType::Bit((servo % 8) as u8)),
-            _ => (first + servo * kind.size(0) as u32, kind),
-        });
+pub(super) fn find(name: &str) -> Option<Cell> {
+    if let Some(name) = name.strip_prefix("rtm.") {
+        return drive(name).map(plain).or_else(|| realtime::find(name));
     }
+    unit(name).map(plain)
+}
+
+const fn plain((addr, kind): (Addr, CellType)) -> Cell {
+    Cell { addr, kind, scale: 1.0 }
+}
+
+/// An element of a drive: `servo[2].edrv.drivestatus`.
+fn drive(name: &str) -> Option<(Addr, CellType)> {
+    let (servo, rest) = index(name.strip_prefix("servo")?)?;
+    let element = rest.strip_prefix(".edrv.")?;
+    let (_, first, kind) = EDRV.into_iter().find(|(name, ..)| *name == element)?;
+    let servo = u32::from(u8::try_from(servo).ok().filter(|servo| *servo < devices::DRIVES)?);
+    Some(match kind {
+        CellType::Bit(_) => (first + servo / 8, CellType::Bit((servo % 8) as u8)),
+        _ => (first + servo * kind.size(0) as u32, kind),
+    })
+}
+
+/// A byte of a unit: `can[1].inout08[2].ip0`.
+fn unit(name: &str) -> Option<(Addr, CellType)> {
     // Units are on the second channel, `CAN[1]`.
     let (unit, rest) = index(name.strip_prefix("can[1].inout08")?)?;
     let input = rest.strip_prefix(".ip").map(|byte| (byte, 4, 4, system::IN_PORTS));
@@ -80,7 +109,7 @@ mod tests {
             ("rtm.servo[1].edrv.nothing", None),
             ("door", None),
         ] {
-            assert_eq!(find(name), cell, "{name}");
+            assert_eq!(find(name).map(|cell| (cell.addr, cell.kind)), cell, "{name}");
         }
     }
 }

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use serde::Deserialize;
 
+use super::link::is_missing;
 use super::{Conversion, ElementError, ElementValue, Elements, name};
 use crate::MachineConfig;
 use crate::compile::Compiler;
@@ -130,6 +131,11 @@ pub(crate) fn check(config: &MachineConfig, compiler: &mut Compiler<'_>) {
         unique(compiler, "destination", &link.destination, &mut known);
         if let Err(error) = name::normal(link.source.as_bytes()) {
             compiler.error("source", format!("{error}"));
+        }
+        for (key, id) in [("source", &link.source), ("destination", &link.destination)] {
+            if is_missing(id) {
+                compiler.error(key, format!("`{id}` is an element that the simulated control does not have"));
+            }
         }
         for (key, number) in [("scale", link.scale), ("offset", link.offset)] {
             match number {

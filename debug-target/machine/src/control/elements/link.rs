@@ -43,6 +43,17 @@ fn bit_of(value: &ElementValue, bit: u8) -> bool {
     }
 }
 
+/// An element of the control that the simulated one does not have: a link to it would carry nothing.
+pub(super) fn is_missing(text: &str) -> bool {
+    let name = name::normal(text.as_bytes()).unwrap_or_default();
+    cell::is_of_control(&name) && cell::find(split(&name).0).is_none()
+}
+
+/// A normal identifier that ends as one bit of a number does.
+pub(in crate::control) fn names_a_bit(name: &str) -> bool {
+    split(name).1.is_some()
+}
+
 /// An identifier without the `.bit[n]` at its end, and n.
 fn split(name: &str) -> (&str, Option<u8>) {
     let Some((base, last)) = name.rsplit_once(".bit") else { return (name, None) };
@@ -107,10 +118,10 @@ impl Elements {
         let (name, bit) = split(&whole);
         let table = if output { &mut self.outputs } else { &mut self.inputs };
         let number = table.number(name)?;
-        if let Some((addr, kind)) = cell::find(name) {
+        if let Some(cell) = cell::find(name) {
             let bound = |it: &Point| it.fixed && it.output == output && it.elements == [number];
             if !self.points.iter().any(bound) {
-                self.points.push(Point::fixed(addr as usize, kind, output, number));
+                self.points.push(Point::fixed(cell, output, number));
             }
         }
         Ok((number, bit))

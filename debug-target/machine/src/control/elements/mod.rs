@@ -21,9 +21,11 @@ mod link;
 mod mapping;
 mod name;
 mod point;
+mod realtime;
 mod value;
 
 use link::Link;
+pub(super) use link::names_a_bit;
 pub use mapping::{Analog, ChannelWiring, Connection, Mapping, Physical};
 pub(crate) use name::normal as identifier;
 use point::{Group, Point};
@@ -277,6 +279,7 @@ impl Elements {
                 let at = point.addr + n * point.size;
                 let cell = memory.get(at..at + point.size);
                 let Some(value) = cell.and_then(|cell| point.kind.read(cell)) else { continue };
+                let value = point.in_its_unit(value);
                 if point.is_mapped_bit() {
                     point.on = value.is_on();
                     bits = true;
@@ -330,7 +333,10 @@ impl Elements {
                 let physical = physical(element, point.physical, memory);
                 let at = point.addr + n * point.size;
                 if let Some(cell) = memory.get_mut(at..at + point.size) {
-                    put(element, point.kind, cell, physical.as_ref());
+                    match element.value.as_ref().and_then(|value| point.in_its_cell(value)) {
+                        Some(value) => point.kind.write(cell, &value),
+                        None => put(element, point.kind, cell, physical.as_ref()),
+                    }
                 }
             }
         }

@@ -7,6 +7,7 @@ use technol_image::service::Arg;
 use technol_runtime::{Call, FaultKind, Rate};
 
 use super::MAX_ELEMENTS;
+use super::cell::Cell;
 use super::mapping::Physical;
 use super::value::{CellType, ElementValue};
 
@@ -42,6 +43,8 @@ pub(super) struct Point {
     pub(super) physical: Option<Physical>,
     /// A cell of the control itself, which no call declared; it is served whenever anything is.
     pub(super) fixed: bool,
+    /// What 1 in a cell of the control is in the unit of the element.
+    scale: f64,
 }
 
 impl Point {
@@ -91,13 +94,15 @@ impl Point {
             on: false,
             physical: None,
             fixed: false,
+            scale: 1.0,
         };
         Ok(Some((point, cells)))
     }
 
     /// A cell of the control itself, bound to an element.
-    pub(super) fn fixed(addr: usize, kind: CellType, output: bool, element: usize) -> Point {
-        let size = kind.size(0);
+    pub(super) fn fixed(cell: Cell, output: bool, element: usize) -> Point {
+        let Cell { addr, kind, scale } = cell;
+        let (addr, size) = (addr as usize, kind.size(0));
         Point {
             call: u16::MAX,
             group: Group::Logical,
@@ -111,7 +116,23 @@ impl Point {
             on: false,
             physical: None,
             fixed: true,
+            scale,
         }
+    }
+
+    /// The value of a cell of the control in the unit of its element.
+    #[expect(clippy::float_cmp, reason = "only the unit of the cell itself is left as it is")]
+    pub(super) fn in_its_unit(&self, value: ElementValue) -> ElementValue {
+        match value.as_real() {
+            Some(real) if self.scale != 1.0 => (real * self.scale).into(),
+            _ => value,
+        }
+    }
+
+    /// The other way round; `None` where there is nothing to convert.
+    #[expect(clippy::float_cmp, reason = "only the unit of the cell itself is left as it is")]
+    pub(super) fn in_its_cell(&self, value: &ElementValue) -> Option<ElementValue> {
+        value.as_real().filter(|_| self.scale != 1.0).map(|real| (real / self.scale).into())
     }
 
     /// How many elements it has.

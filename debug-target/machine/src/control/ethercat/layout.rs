@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use crate::MachineConfig;
 use crate::compile::Compiler;
 use crate::config::{ProcessData, ProcessType, Slave};
-use crate::control::elements::{CellType, identifier};
+use crate::control::elements::{CellType, identifier, names_a_bit};
 use crate::signal::{BUS_INPUTS, BUS_OUTPUTS};
 
 /// Objects of drives (CiA 402).
@@ -144,6 +144,12 @@ pub(in crate::control) fn check(config: &MachineConfig, compiler: &mut Compiler<
             let key = if line.output { "outputs" } else { "inputs" };
             if line.id.is_empty() || line.id.ends_with('.') {
                 compiler.error(key, format!("`{}` is no identifier: 1 to 255 ASCII characters", line.name));
+            } else if names_a_bit(&line.id) {
+                let name = &line.name;
+                compiler.error(
+                    key,
+                    format!("`{name}` would mean one bit of a number; give it a name that does not end with `.Bit`"),
+                );
             } else if !known.insert(&line.id) {
                 compiler.error(key, format!("`{}` is there twice", line.name));
             }
