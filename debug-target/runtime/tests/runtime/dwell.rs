@@ -2,7 +2,7 @@
 
 use technol_image::program::ModuleKind;
 use technol_image::system;
-use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared};
+use technol_runtime::{Block, BlockFlag, BlockFlags, BlockReal, Command, Prepared, Shared};
 
 use crate::support::{Bench, Builder, GLOBAL as A, count};
 
@@ -18,7 +18,7 @@ fn machine() -> Bench {
 fn dwelling(motion_ms: u32, seconds: f64) -> Block {
     let mut prepared = Prepared::default();
     prepared.set(BlockReal::Delay, seconds);
-    Block { motion_ms, prepared: Some(Box::new(prepared)), ..Block::default() }
+    Block { motion_ms, prepared: Some(Shared::new(prepared)), ..Block::default() }
 }
 
 /// PO_F, PO_POL, SF_DELAYINPROGR, PRODLEVA and how often closing functions ran.
@@ -87,7 +87,7 @@ fn the_lamp_goes_out_when_a_dwell_is_broken_off_and_else_is_the_programs() {
 /// A block of 40 ms in a continuous run.
 fn smooth(m: &[u8]) -> Block {
     let flags = BlockFlags::default().with(BlockFlag::Continuous);
-    let prepared = Some(Box::new(Prepared { flags, ..Prepared::default() }));
+    let prepared = Some(Shared::new(Prepared { flags, ..Prepared::default() }));
     Block { m: m.into(), motion_ms: 40, prepared, ..Block::default() }
 }
 
