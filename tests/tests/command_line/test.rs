@@ -221,7 +221,9 @@ fn a_test_may_bring_its_own_machine_or_none() {
     folder.write("own.toml", b"[[key]]\nname = \"go\"\ninput = \"P1IN.0\"\n");
     run(&["test", &folder.path("plc.test.toml")]).ok();
     folder.write("own.toml", b"[[key]]\nname = \"go\"\ninput = \"P1IM.0\"\n");
-    run(&["test", &folder.path("plc.test.toml")]).failed(2, &["plc.test.toml:1:11", "own.toml:3", "P1IM.0"]);
+    run(&["test", &folder.path("plc.test.toml")]).failed(2, &["own.toml:3:9", "P1IM.0"]);
+    std::fs::remove_file(folder.path("own.toml")).unwrap();
+    run(&["test", &folder.path("plc.test.toml")]).failed(2, &["plc.test.toml:1:11", "own.toml"]);
 }
 
 /// A process that ends with this, however its test ends.

@@ -134,6 +134,7 @@ fn nothing_below_a_tick_calls_itself_and_the_frames_are_small() {
         "BlockCycle::arrived",
         "BlockCycle::begin",
         "BlockCycle::lost",
+        "BlockCycle::publish",
         "BlockCycle::release",
         "BlockCycle::take_axes",
         "BlockCycle::tell_position",
