@@ -83,15 +83,9 @@ impl Client {
         answer["result"].clone()
     }
 
-    /// Waits for the answer to a request.
+    /// Waits for the answer to a request. Answers may come in any order.
     pub(super) fn answer(&mut self, id: &Value) -> Value {
-        loop {
-            let message = self.receive().expect("the server ended the session");
-            if message.get("method").is_none() && message["id"] == *id {
-                return message;
-            }
-            self.unasked.push(message);
-        }
+        self.wait_until(|it| it.get("method").is_none() && it["id"] == *id)
     }
 
     /// Waits for a message the server sends unasked.
