@@ -182,7 +182,7 @@ pub(crate) fn wrong_rows<R: Debug>(rows: &[R], wrong: impl Fn(&R) -> Vec<String>
     let file = env::var_os(NOTICED).expect("where to write to");
     let mut file = File::options().create(true).append(true).open(file).expect("a file");
     // In one piece: other tests write to it, too.
-    let lines: String = noticed.iter().map(|name| format!("{name}\n")).collect();
+    let lines: String = noticed.iter().flat_map(|name| [name, "\n"]).collect();
     file.write_all(lines.as_bytes()).expect("a file");
     SEEN.with_borrow_mut(|seen| seen.extend(noticed));
     Vec::new()
