@@ -1,5 +1,6 @@
 //! Keys of the operator panel.
 
+use alloc::collections::VecDeque;
 use alloc::string::String;
 
 use crate::compile::Compiler;
@@ -39,12 +40,13 @@ impl Key {
         }
     }
 
-    /// What it tells the control when it was pressed or released since the last look.
-    pub(crate) fn events(&mut self) -> impl Iterator<Item = PlantEvent> + use<> {
+    /// Tells the control when it was pressed or released since the last look.
+    pub(crate) fn tell(&mut self, events: &mut VecDeque<PlantEvent>) {
         let pressed = self.pressed;
-        let changed = core::mem::replace(&mut self.seen, pressed) != pressed;
-        let command = self.command.map(|code| PlantEvent::Command { code, pressed });
-        let panel = self.panel.map(|key| PlantEvent::Panel { key, pressed });
-        command.into_iter().chain(panel).filter(move |_| changed)
+        if core::mem::replace(&mut self.seen, pressed) == pressed {
+            return;
+        }
+        events.extend(self.command.map(|code| PlantEvent::Command { code, pressed }));
+        events.extend(self.panel.map(|key| PlantEvent::Panel { key, pressed }));
     }
 }

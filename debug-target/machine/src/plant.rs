@@ -289,11 +289,13 @@ impl Plant {
     /// What happens besides in a millisecond.
     fn happen(&mut self, outputs: &OutputImage, inputs: &InputImage) {
         self.events.clear();
-        self.events.extend(self.keys.iter_mut().flat_map(Key::events));
+        self.keys.iter_mut().for_each(|key| key.tell(&mut self.events));
         self.press_control_keys(outputs, inputs);
         for program in &mut self.programs {
             let blocks = program.step(self.millis, outputs, inputs);
-            self.events.extend(blocks.iter().cloned().map(PlantEvent::StartBlock));
+            for block in blocks {
+                self.events.push_back(PlantEvent::StartBlock(block.clone()));
+            }
         }
         self.millis += 1;
     }
