@@ -6,6 +6,7 @@
 use crate::block::Block;
 use crate::memory::Memory;
 use crate::prepared::{self, BLOCK_AXES, BlockFlag};
+use crate::root::root;
 
 /// Milliseconds in a minute.
 const MINUTE: f64 = 60_000.0;
@@ -41,17 +42,4 @@ fn time(block: &Block, number: u32, memory: &Memory) -> u32 {
         |axis| prepared::target_of(memory, number, axis) - prepared::target_of(memory, number - 1, axis);
     let squares = (0..BLOCK_AXES as u32).map(|axis| way(axis) * way(axis)).sum();
     (root(squares) / feed * MINUTE) as u32
-}
-
-/// The square root, the same on every computer.
-fn root(value: f64) -> f64 {
-    if value.is_nan() || value <= 0.0 {
-        return 0.0;
-    }
-    // Half of the exponent is a start within a few per cent; each step doubles the digits that are right.
-    let mut root = f64::from_bits((value.to_bits() >> 1) + 0x1FF8_0000_0000_0000);
-    for _ in 0..5 {
-        root = 0.5 * (root + value / root);
-    }
-    root
 }

@@ -1,12 +1,13 @@
 //! A block of the part program: several axes on a straight line.
 
 pub use technol_runtime::Hold;
+use technol_runtime::root;
 
 use super::AXES;
 use super::axis::Axis;
 use super::feed::Feed;
 use super::ramp::{Goal, Ramp};
-use super::units::{UM, per_minute, root};
+use super::units::{UM, per_minute};
 
 /// Movement of a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

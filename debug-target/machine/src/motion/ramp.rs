@@ -1,6 +1,8 @@
 //! How a position follows a demand: by linear ramps, a tick of 1 ms at a time.
 
-use super::units::{TICK, root};
+use technol_runtime::root;
+
+use super::units::TICK;
 
 /// Closer than this the target is reached: 1 nm.
 const NEAR: f64 = 0.001;
