@@ -7,18 +7,18 @@ use super::mnemonic::Form;
 use super::section_code::{ProblemKind, SectionCode};
 use crate::semantics::hir::Operand;
 
-const FUNCTIONS: &[(&str, Function)] = &[
-    ("MOV", Function::Move),
-    ("ADD", Function::Add),
-    ("SUB", Function::Sub),
-    ("AND", Function::And),
-    ("OR", Function::Or),
-    ("XOR", Function::Xor),
-    ("CMP", Function::Compare),
-    ("INC", Function::Increment),
-    ("DEC", Function::Decrement),
-    ("SHL", Function::ShiftLeft),
-    ("SHR", Function::ShiftRight),
+const FUNCTIONS: &[Function] = &[
+    Function::Move,
+    Function::Add,
+    Function::Sub,
+    Function::And,
+    Function::Or,
+    Function::Xor,
+    Function::Compare,
+    Function::Increment,
+    Function::Decrement,
+    Function::ShiftLeft,
+    Function::ShiftRight,
 ];
 
 /// The first name of each condition is the one a listing shows.
@@ -59,10 +59,10 @@ const JUMPS: &[(&str, Condition)] = &[
 
 /// How `mnemonic` (upper case) is translated; `None` when it is no 80386 instruction that the target executes.
 pub(super) fn form(mnemonic: &str) -> Option<Form> {
-    let function = FUNCTIONS.iter().find(|(name, _)| *name == mnemonic);
+    let function = FUNCTIONS.iter().find(|function| function.mnemonic() == mnemonic);
     let jump = || JUMPS.iter().find(|(name, _)| *name == mnemonic);
     function
-        .map(|(_, function)| Form::Assembler(*function))
+        .map(|function| Form::Assembler(*function))
         .or_else(|| jump().map(|(_, condition)| Form::AssemblerJump(*condition)))
 }
 
@@ -73,7 +73,7 @@ pub(super) fn jump(condition: Condition) -> &'static str {
 
 /// An instruction as text.
 pub(super) fn text(function: Function, to: Given, from: Given, cell: impl Fn(Place) -> String) -> String {
-    let name = FUNCTIONS.iter().find(|(_, known)| *known == function).map_or("?", |(name, _)| name);
+    let name = function.mnemonic();
     let operand = |operand: Given| match operand {
         Given::Register(register) => register.name().to_owned(),
         Given::Cell(place) => cell(place),
@@ -148,7 +148,8 @@ mod tests {
             assert_eq!(form(name), Some(Form::AssemblerJump(*condition)), "{name}");
             assert_eq!(form(jump(*condition)), Some(Form::AssemblerJump(*condition)), "{name}");
         }
-        for (name, function) in FUNCTIONS {
+        for function in FUNCTIONS {
+            let name = function.mnemonic();
             assert_eq!(form(name), Some(Form::Assembler(*function)), "{name}");
         }
         assert_eq!((form("JXX"), form("ADC")), (None, None));

@@ -7,9 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use technol_image::debug_info::{DebugInfo, SymbolKind};
-use technol_image::op::{
-    Addr, Arith, BitRef, Compare, Cond, Count, DrTest, Logic, Op, Pc, Place, Raster, Source, Unary, Width,
-};
+use technol_image::op::{Addr, BitRef, Cond, DrTest, Op, Pc, Place, Source, Width};
 use technol_image::program::{Message, Program, SequenceKind, Timed};
 use technol_image::service::{Arg, ServiceCall};
 
@@ -85,8 +83,8 @@ impl<'a> Disassembler<'a> {
             Op::Ldr { bit, neg, push } => {
                 format!("LDR {}{}{}", sign(*neg), self.bit(bit), if *push { " {push}" } else { "" })
             }
-            Op::Logic { op, bit, neg } => format!("{} {}{}", logic(*op), sign(*neg), self.bit(bit)),
-            Op::LogicPop(op) => format!("{} {{pop}}", logic(*op)),
+            Op::Logic { op, bit, neg } => format!("{} {}{}", op.mnemonic(), sign(*neg), self.bit(bit)),
+            Op::LogicPop(op) => format!("{} {{pop}}", op.mnemonic()),
             Op::Complement => "CA".to_owned(),
             Op::Edge { rising, bit, state } => {
                 format!("EDGE_{} {} {{state {state:04X}h}}", if *rising { 'H' } else { 'L' }, self.bit(bit))
@@ -102,10 +100,10 @@ impl<'a> Disassembler<'a> {
             Op::AssemblerJump { condition, target } => {
                 format!("{} {target:04X}h", assembler::jump(*condition))
             }
-            Op::Raster { rate, end } => format!("{} {end:04X}h", raster(*rate)),
+            Op::Raster { rate, end } => format!("{} {end:04X}h", rate.mnemonic()),
             Op::Timer { count, width } => format!("TM {}", self.place(*count, *width)),
             Op::Counter { op, count, width, state } => {
-                format!("{} {} {{state {state:04X}h}}", counter(*op), self.place(*count, *width))
+                format!("{} {} {{state {state:04X}h}}", op.mnemonic(), self.place(*count, *width))
             }
             Op::Copy { src, dst, len } => format!("MV {},{},{len}", self.area(*src), self.area(*dst)),
             Op::Clear { addr, len } => {
@@ -139,11 +137,11 @@ impl<'a> Disassembler<'a> {
             Op::Move { dst, src, width, cond } => {
                 format!("MOVE{} {},{}", suffix(*cond), self.place(*dst, *width), self.place(*src, *width))
             }
-            Op::Arith { op, src, width } => format!("{} {}", arith(*op), self.source(src, *width)),
+            Op::Arith { op, src, width } => format!("{} {}", op.mnemonic(), self.source(src, *width)),
             Op::Compare { op, src, width, if_rlo } => {
-                format!("{}{} {}", compare(*op), if *if_rlo { "1" } else { "" }, self.source(src, *width))
+                format!("{}{} {}", op.mnemonic(), if *if_rlo { "1" } else { "" }, self.source(src, *width))
             }
-            Op::Unary { op, width } => format!("{}{}", unary(*op), width_keyword(*width)),
+            Op::Unary { op, width } => format!("{}{}", op.mnemonic(), width_keyword(*width)),
             Op::IncrementBcd => "INRBCD".to_owned(),
             Op::BcdToBin(width) => format!("BIN{}", width_keyword(*width)),
             Op::BinToBcd(width) => format!("BCD{}", width_keyword(*width)),
@@ -331,62 +329,6 @@ fn jump(cond: Cond) -> &'static str {
         Cond::Always => "JUM",
         Cond::IfRlo => "JL1",
         Cond::IfNotRlo => "JL0",
-    }
-}
-
-fn logic(op: Logic) -> &'static str {
-    match op {
-        Logic::And => "LA",
-        Logic::Or => "LO",
-        Logic::Xor => "LX",
-    }
-}
-
-fn arith(op: Arith) -> &'static str {
-    match op {
-        Arith::Add => "AD",
-        Arith::Sub => "SU",
-        Arith::Mul => "MULB",
-        Arith::Div => "DIVB",
-        Arith::Or => "ORB",
-        Arith::And => "ANDB",
-        Arith::Xor => "XORB",
-    }
-}
-
-fn compare(op: Compare) -> &'static str {
-    match op {
-        Compare::Eq => "EQ",
-        Compare::Lt => "LT",
-        Compare::Gt => "GT",
-        Compare::Le => "LE",
-        Compare::Ge => "GE",
-    }
-}
-
-fn unary(op: Unary) -> &'static str {
-    match op {
-        Unary::Increment => "INR",
-        Unary::Decrement => "DCR",
-        Unary::Negate => "INV",
-        Unary::Absolute => "ABS",
-    }
-}
-
-fn counter(op: Count) -> &'static str {
-    match op {
-        Count::Up => "CU",
-        Count::Down => "CD",
-        Count::UpBcd => "CUBCD",
-    }
-}
-
-fn raster(rate: Raster) -> &'static str {
-    match rate {
-        Raster::Tenth => "DFTM01",
-        Raster::Second => "DFTM1",
-        Raster::TenSeconds => "DFTM10",
-        Raster::HundredSeconds => "DFTM100",
     }
 }
 

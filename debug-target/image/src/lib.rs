@@ -11,6 +11,7 @@ extern crate alloc;
 pub mod assembler;
 pub mod container;
 pub mod debug_info;
+mod mnemonic;
 pub mod op;
 pub mod program;
 pub mod service;

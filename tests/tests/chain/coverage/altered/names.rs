@@ -1,7 +1,7 @@
 //! What an operation is called: its mnemonic, and what its operand is.
 
-use technol_image::assembler::{Function, Operand};
-use technol_image::op::{Arith, Compare, Cond, Count, DrTest, Logic, Op, Raster, Source, Unary};
+use technol_image::assembler::Operand;
+use technol_image::op::{Cond, DrTest, Op, Source};
 use technol_image::program::Program;
 
 /// The mnemonic that an operation comes from. Operations that hold the program together have none.
@@ -13,7 +13,7 @@ pub(super) fn mnemonic(program: &Program, op: &Op) -> Option<&'static str> {
     };
     Some(match *op {
         Op::Ldr { .. } => "LDR",
-        Op::Logic { op, .. } | Op::LogicPop(op) => logic(op),
+        Op::Logic { op, .. } | Op::LogicPop(op) => op.mnemonic(),
         Op::Complement => "CA",
         Op::Edge { rising, .. } => if_else(rising, "EDGE_H", "EDGE_L"),
         Op::Write(_) => "WR",
@@ -23,10 +23,10 @@ pub(super) fn mnemonic(program: &Program, op: &Op) -> Option<&'static str> {
         Op::Load { .. } => "LOD",
         Op::Store { cond, .. } => conditional(["STO", "STO1", "STO0"], cond),
         Op::Move { cond, .. } => conditional(["MOVE", "MOVE1", "?"], cond),
-        Op::Arith { op, .. } => arithmetic(op),
+        Op::Arith { op, .. } => op.mnemonic(),
         Op::Compare { if_rlo: true, .. } => "EQ1",
-        Op::Compare { op, .. } => relation(op),
-        Op::Unary { op, .. } => unary(op),
+        Op::Compare { op, .. } => op.mnemonic(),
+        Op::Unary { op, .. } => op.mnemonic(),
         Op::IncrementBcd => "INRBCD",
         Op::BcdToBin(_) => "BIN",
         Op::BinToBcd(_) => "BCD",
@@ -34,9 +34,9 @@ pub(super) fn mnemonic(program: &Program, op: &Op) -> Option<&'static str> {
         Op::DrToRlo(_) => "CONDR",
         Op::RloToDr(_) => "CONRD",
         Op::IntToReal(_) => "REAL",
-        Op::Raster { rate, .. } => raster(rate),
+        Op::Raster { rate, .. } => rate.mnemonic(),
         Op::Timer { .. } => "TM",
-        Op::Counter { op, .. } => count(op),
+        Op::Counter { op, .. } => op.mnemonic(),
         Op::Copy { .. } => "MV",
         Op::Clear { .. } => "CLEAR",
         Op::Call(_) => "PROC_CALL",
@@ -51,7 +51,7 @@ pub(super) fn mnemonic(program: &Program, op: &Op) -> Option<&'static str> {
         Op::Message { cond, .. } => conditional(["ESET", "ESET1", "?"], cond),
         Op::Service(n) => program.services[usize::from(n)].service.name(),
         Op::IndexFromDr => "MOV",
-        Op::Assembler { function, .. } => assembler(function),
+        Op::Assembler { function, .. } => function.mnemonic(),
         Op::AssemblerJump { .. } => "Jcc",
         Op::SelectBlock { .. } => "BLK[BX]",
         Op::Nop
@@ -122,76 +122,4 @@ fn operand(operand: Operand) -> &'static str {
 
 fn if_else(condition: bool, yes: &'static str, no: &'static str) -> &'static str {
     if condition { yes } else { no }
-}
-
-fn logic(op: Logic) -> &'static str {
-    match op {
-        Logic::And => "LA",
-        Logic::Or => "LO",
-        Logic::Xor => "LX",
-    }
-}
-
-fn arithmetic(op: Arith) -> &'static str {
-    match op {
-        Arith::Add => "AD",
-        Arith::Sub => "SU",
-        Arith::Mul => "MULB",
-        Arith::Div => "DIVB",
-        Arith::Or => "ORB",
-        Arith::And => "ANDB",
-        Arith::Xor => "XORB",
-    }
-}
-
-fn relation(op: Compare) -> &'static str {
-    match op {
-        Compare::Eq => "EQ",
-        Compare::Lt => "LT",
-        Compare::Gt => "GT",
-        Compare::Le => "LE",
-        Compare::Ge => "GE",
-    }
-}
-
-fn unary(op: Unary) -> &'static str {
-    match op {
-        Unary::Increment => "INR",
-        Unary::Decrement => "DCR",
-        Unary::Negate => "INV",
-        Unary::Absolute => "ABS",
-    }
-}
-
-fn raster(rate: Raster) -> &'static str {
-    match rate {
-        Raster::Tenth => "DFTM01",
-        Raster::Second => "DFTM1",
-        Raster::TenSeconds => "DFTM10",
-        Raster::HundredSeconds => "DFTM100",
-    }
-}
-
-fn count(op: Count) -> &'static str {
-    match op {
-        Count::Up => "CU",
-        Count::Down => "CD",
-        Count::UpBcd => "CUBCD",
-    }
-}
-
-fn assembler(function: Function) -> &'static str {
-    match function {
-        Function::Move => "MOV",
-        Function::Add => "ADD",
-        Function::Sub => "SUB",
-        Function::And => "AND",
-        Function::Or => "OR",
-        Function::Xor => "XOR",
-        Function::Compare => "CMP",
-        Function::Increment => "INC",
-        Function::Decrement => "DEC",
-        Function::ShiftLeft => "SHL",
-        Function::ShiftRight => "SHR",
-    }
 }
